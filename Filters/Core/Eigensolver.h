@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The one interface behind which eigensolvers take each other's place.
+#ifndef SpectralWatermark_Core_Eigensolver_h
+#define SpectralWatermark_Core_Eigensolver_h
+
+#include "Progress.h"
+#include "TriangleMesh.h"
+
+#include <Eigen/SparseCore>
+
+namespace spectralwatermark
+{
+
+/// S h = lambda M h with S positive semi-definite and M positive semi-definite of total mass 1
+/// (the sum of its entries): the eigenvalues are then of the order of 4 pi k (Weyl's law),
+/// whatever the model's size, and a solver's shifts and tolerances have no unit.
+struct EigenProblem
+{
+  const Eigen::SparseMatrix<double>& Stiffness;
+  const Eigen::SparseMatrix<double>& Mass;
+  const Eigen::MatrixXd& Kernel; ///< M-orthonormal null space of S; its pairs come for free
+  Index Rank = 0;                ///< number of finite eigenvalues
+};
+
+struct EigensolverOptions
+{
+  Index Count = 100;       ///< eigenpairs wanted, from the smallest; the kernel counts
+  Index BandSize = 0;      ///< eigenpairs per shift-invert band; 0: the solver's choice
+  double Tolerance = 1e-8; ///< relative residual (see RelativeResiduals)
+};
+
+struct EigenPairs
+{
+  Eigen::VectorXd Values;    ///< ascending; exactly 0 for the kernel
+  Eigen::MatrixXd Vectors;   ///< a column each, M-orthonormal
+  Eigen::VectorXd Residuals; ///< relative (see RelativeResiduals)
+  Index Bands = 0;           ///< shift-invert bands that were used
+  bool Complete = false;     ///< all that were wanted, and no eigenvalue below them is missing
+};
+
+class Eigensolver
+{
+public:
+  virtual ~Eigensolver() = default;
+
+  /// Throws SolverFailure when a factorisation breaks down, Aborted when `progress` says so.
+  /// Pairs that do not converge or cannot be completed are told by EigenPairs, not thrown.
+  virtual EigenPairs Solve(const EigenProblem& problem, const EigensolverOptions& options,
+    const Progress& progress) const = 0;
+};
+
+/// Makes vectors M-orthonormal that nearly are: V <- V L^-T with V^T M V = L L^T. Keeps order.
+void Orthonormalize(const Eigen::SparseMatrix<double>& mass, Eigen::MatrixXd& vectors);
+
+} // namespace spectralwatermark
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "IterativeEmbedding.h"
+
+#include "Errors.h"
+
+#include <cmath>
+#include <limits>
+
+namespace spectralwatermark
+{
+
+namespace
+{
+
+// Share of the remaining progress that each further basis gets: how many there will be is not
+// known, three is usual.
+constexpr double ShareOfRest = 0.35;
+
+Progress PartOfSolve(const Progress& progress, Index solve)
+{
+  const double rest = std::pow(1.0 - ShareOfRest, static_cast<double>(solve));
+  return progress.Part(1.0 - rest, 1.0 - (1.0 - ShareOfRest) * rest);
+}
+
+void RoundToFloat(TriangleMesh::PointMatrix& points)
+{
+  points = points.cast<float>().cast<double>();
+}
+
+} // namespace
+
+EmbeddingResult EmbedMessage(const TriangleMesh& original, const EmbeddingOptions& options,
+  const std::optional<ManifoldHarmonics>& firstBasis, const Progress& progress)
+{
+  const Index bits = static_cast<Index>(options.Message.size());
+  CheckMessage(options.Message);
+  CheckSlots(options.Slots, bits);
+  CheckCapacity(options.Slots, bits, original.NumberOfVertices());
+  const Index required = options.RequiredBits > 0 ? std::min(options.RequiredBits, bits) : bits;
+  HarmonicsOptions harmonicsOptions;
+  harmonicsOptions.Count = ComponentsNeeded(options.Slots, bits);
+  harmonicsOptions.Tolerance = options.Tolerance;
+
+  EmbeddingResult result;
+  TriangleMesh mesh = original;
+  const auto computeBasis = [&]()
+  {
+    const Progress part = PartOfSolve(progress, result.Eigensolves++);
+    return ComputeManifoldHarmonics(mesh, harmonicsOptions, part);
+  };
+  ManifoldHarmonics basis = firstBasis ? *firstBasis : computeBasis();
+  CheckSlotsAboveKernel(options.Slots, basis.KernelDimension);
+
+  Spectrum spectrum = ForwardTransform(basis, mesh.Points);
+  std::vector<SlotReading> readings = ReadSlots(Magnitudes(spectrum), options.Slots, bits);
+  result.History.push_back(readings);
+
+  Index best = -1;
+  for (Index iteration = 1; iteration <= options.MaximumIterations; ++iteration)
+  {
+    mesh.Points +=
+      InverseTransform(basis, SpectrumChange(spectrum, readings, options.Message, options.Slots));
+    if (options.RoundToFloat)
+    {
+      RoundToFloat(mesh.Points);
+    }
+    basis = computeBasis();
+    spectrum = ForwardTransform(basis, mesh.Points);
+    readings = ReadSlots(Magnitudes(spectrum), options.Slots, bits);
+    result.History.push_back(readings);
+
+    const std::string extracted = MessageOf(readings);
+    const Index right = CountAgreements(extracted, options.Message);
+    if (right > best)
+    {
+      best = right;
+      result.Points = mesh.Points;
+      result.ExtractedMessage = extracted;
+      result.Iterations = iteration;
+    }
+    if (right >= required)
+    {
+      result.Converged = true;
+      break;
+    }
+  }
+  progress.Report(1.0);
+  return result;
+}
+
+} // namespace spectralwatermark

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ManifoldHarmonics.h"
+
+#include "DenseEigensolver.h"
+#include "Errors.h"
+#include "SpectraEigensolver.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+
+namespace spectralwatermark
+{
+
+namespace
+{
+
+// Under this size a dense solver takes a fraction of a second, and Lanczos has no room.
+constexpr Index SmallProblem = 400;
+
+// Entries this close to the largest count as equal when the sign is chosen: the sign of a
+// symmetric harmonic then does not hang on rounding.
+constexpr double SignTie = 1e-6;
+
+// A foreign basis is taken when it satisfies the equation to this accuracy. Far above what
+// storage in double loses, far below what any change of shape worth the name causes.
+constexpr double AdoptionTolerance = 1e-6;
+
+std::unique_ptr<Eigensolver> ChooseEigensolver(Index vertices, Index wanted)
+{
+  if (vertices <= SmallProblem || wanted > vertices / 2)
+  {
+    return std::make_unique<DenseEigensolver>();
+  }
+  return std::make_unique<SpectraEigensolver>();
+}
+
+void CheckCount(const HarmonicsOptions& options, Index available)
+{
+  if (options.Count < 1)
+  {
+    throw InvalidInput("at least one harmonic must be asked for");
+  }
+  if (options.Count > available)
+  {
+    throw InvalidInput(std::to_string(options.Count) +
+      " harmonics were asked for, but the mesh has " + std::to_string(available) +
+      " distinct vertices with area and no more harmonics than that: ask "
+      "for fewer, or subdivide the mesh");
+  }
+}
+
+void FixSigns(Eigen::MatrixXd& basis)
+{
+  for (Index k = 0; k < basis.cols(); ++k)
+  {
+    const double threshold = (1.0 - SignTie) * basis.col(k).cwiseAbs().maxCoeff();
+    Index first = 0;
+    while (first < basis.rows() - 1 && std::abs(basis(first, k)) < threshold)
+    {
+      ++first;
+    }
+    if (basis(first, k) < 0.0)
+    {
+      basis.col(k) *= -1.0;
+    }
+  }
+}
+
+// What rounding alone leaves as a residual: products with S cancel down from its largest
+// entries. Matters only on meshes with very thin triangles.
+Eigen::VectorXd RoundingFloor(const EigenProblem& problem, const EigenPairs& pairs)
+{
+  const double largest = problem.Stiffness.diagonal().cwiseAbs().maxCoeff();
+  const double epsilon = std::numeric_limits<double>::epsilon();
+  Eigen::VectorXd limit(pairs.Values.size());
+  for (Index k = 0; k < limit.size(); ++k)
+  {
+    limit[k] = 8.0 * epsilon * largest * pairs.Vectors.col(k).norm() /
+      ((pairs.Values[k] + 1.0) * (problem.Mass * pairs.Vectors.col(k)).norm());
+  }
+  return limit;
+}
+
+void CheckConvergence(const EigenProblem& problem, const EigenPairs& pairs,
+  const HarmonicsOptions& options)
+{
+  if (!pairs.Complete)
+  {
+    throw SolverFailure("only " + std::to_string(pairs.Values.size()) + " of " +
+      std::to_string(options.Count) +
+      " harmonics could be computed completely: ask for fewer, or "
+      "for another band size");
+  }
+  const Eigen::VectorXd allowed = RoundingFloor(problem, pairs).array() + options.Tolerance;
+  const Index failed = (pairs.Residuals.array() > allowed.array()).count();
+  if (failed > 0)
+  {
+    throw SolverFailure(std::to_string(failed) + " of " + std::to_string(options.Count) +
+      " harmonics have a residual over the tolerance (largest " +
+      std::to_string(pairs.Residuals.maxCoeff()) +
+      "): raise the tolerance, or remove the mesh's "
+      "thinnest triangles");
+  }
+}
+
+} // namespace
+
+ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
+  const HarmonicsOptions& options, const Progress& progress)
+{
+  progress.Report(0.0);
+  LaplaceOperator op = AssembleLaplaceOperator(mesh, options.Mass);
+  CheckCount(options, op.Rank);
+
+  // The solver sees a surface of area 1.
+  const double area = op.Area;
+  const SparseMatrix unitMass = op.Mass / area;
+  const Eigen::MatrixXd unitKernel = op.Kernel * std::sqrt(area);
+  const EigenProblem problem{ op.Stiffness, unitMass, unitKernel, op.Rank };
+  EigensolverOptions solverOptions;
+  solverOptions.Count = options.Count;
+  solverOptions.BandSize = options.BandSize;
+  solverOptions.Tolerance = options.Tolerance;
+  EigenPairs pairs = ChooseEigensolver(mesh.NumberOfVertices(), options.Count)
+                       ->Solve(problem, solverOptions, progress.Part(0.02, 0.98));
+  CheckConvergence(problem, pairs, options);
+
+  ManifoldHarmonics harmonics;
+  harmonics.Eigenvalues = pairs.Values / area;
+  harmonics.Basis = std::move(pairs.Vectors) / std::sqrt(area);
+  FixSigns(harmonics.Basis);
+  harmonics.Residuals = std::move(pairs.Residuals);
+  harmonics.VertexMass = std::move(op.VertexMass);
+  harmonics.Mass = std::move(op.Mass);
+  harmonics.KernelDimension = op.Kernel.cols();
+  progress.Report(1.0);
+  return harmonics;
+}
+
+std::optional<ManifoldHarmonics> AdoptManifoldHarmonics(const TriangleMesh& mesh, MassMatrix mass,
+  Eigen::VectorXd eigenvalues, Eigen::MatrixXd basis, const Eigen::VectorXd& vertexMass)
+{
+  if (basis.cols() != eigenvalues.size() || basis.rows() != mesh.NumberOfVertices() ||
+    vertexMass.size() != mesh.NumberOfVertices() || !basis.allFinite() || !eigenvalues.allFinite())
+  {
+    return std::nullopt;
+  }
+  LaplaceOperator op = AssembleLaplaceOperator(mesh, mass);
+  if (!((op.VertexMass - vertexMass).norm() <= AdoptionTolerance * op.VertexMass.norm()))
+  {
+    return std::nullopt;
+  }
+  Eigen::VectorXd residuals = RelativeResiduals(op.Stiffness, op.Mass, op.Area, eigenvalues, basis);
+  const Eigen::VectorXd norms = basis.cwiseProduct(op.Mass * basis).colwise().sum();
+  if (!(residuals.maxCoeff() <= AdoptionTolerance) ||
+    !((norms.array() - 1.0).abs().maxCoeff() <= AdoptionTolerance))
+  {
+    return std::nullopt;
+  }
+  ManifoldHarmonics harmonics;
+  harmonics.Eigenvalues = std::move(eigenvalues);
+  harmonics.Basis = std::move(basis);
+  harmonics.Residuals = std::move(residuals);
+  harmonics.VertexMass = std::move(op.VertexMass);
+  harmonics.Mass = std::move(op.Mass);
+  harmonics.KernelDimension = op.Kernel.cols();
+  return harmonics;
+}
+
+Spectrum ForwardTransform(const ManifoldHarmonics& harmonics,
+  const TriangleMesh::PointMatrix& points)
+{
+  // Relative to the centroid, so that a model far from the origin loses no digits; only the
+  // kernel sees the centroid, as every other harmonic is orthogonal to constants.
+  const Eigen::RowVector3d centroid = points.colwise().mean();
+  const Eigen::MatrixXd weighted = harmonics.Mass * (points.rowwise() - centroid);
+  Spectrum spectrum = harmonics.Basis.transpose() * weighted;
+  const Index kernel = std::min(harmonics.KernelDimension, harmonics.Count());
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(points.rows());
+  spectrum.topRows(kernel) +=
+    (harmonics.Basis.leftCols(kernel).transpose() * (harmonics.Mass * ones)) * centroid;
+  return spectrum;
+}
+
+TriangleMesh::PointMatrix InverseTransform(const ManifoldHarmonics& harmonics,
+  const Spectrum& spectrum)
+{
+  return harmonics.Basis.leftCols(spectrum.rows()) * spectrum;
+}
+
+Eigen::VectorXd Magnitudes(const Spectrum& spectrum)
+{
+  return spectrum.rowwise().norm();
+}
+
+TriangleMesh::PointMatrix FilterPoints(const ManifoldHarmonics& harmonics,
+  const TriangleMesh::PointMatrix& points, const Eigen::VectorXd& gains, bool keepResidual)
+{
+  const Spectrum spectrum = ForwardTransform(harmonics, points).topRows(gains.size());
+  if (!keepResidual)
+  {
+    return InverseTransform(harmonics, gains.asDiagonal() * spectrum);
+  }
+  const Eigen::VectorXd change = gains.array() - 1.0;
+  return points + InverseTransform(harmonics, change.asDiagonal() * spectrum);
+}
+
+} // namespace spectralwatermark

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The manifold harmonics basis of a mesh, and the transform it defines (paper, 2.1).
+#ifndef SpectralWatermark_Core_ManifoldHarmonics_h
+#define SpectralWatermark_Core_ManifoldHarmonics_h
+
+#include "Eigensolver.h"
+#include "LaplaceOperator.h"
+
+#include <optional>
+
+namespace spectralwatermark
+{
+
+struct HarmonicsOptions
+{
+  Index Count = 100;                    ///< m, the constant harmonic included
+  MassMatrix Mass = MassMatrix::Lumped; ///< inner product
+  Index BandSize = 0;                   ///< harmonics per band; 0: the solver's choice
+  double Tolerance = 1e-8;              ///< relative residual
+};
+
+/// The first m solutions of S h = lambda M h. Column 0 is the paper's H^1.
+struct ManifoldHarmonics
+{
+  Eigen::VectorXd Eigenvalues; ///< m, ascending, in 1 / length^2; 0 for every component's constant
+  Eigen::MatrixXd Basis;       ///< n x m, M-orthonormal, sign fixed; in 1 / length
+  Eigen::VectorXd Residuals;   ///< m, see RelativeResiduals
+  Eigen::VectorXd VertexMass;  ///< n, diagonal of D, in length^2
+  SparseMatrix Mass;           ///< n x n, the inner product
+  Index KernelDimension = 1;   ///< number of components with area: that many eigenvalues are 0
+
+  Index Count() const { return this->Basis.cols(); }
+};
+
+/// Computes the basis. The sign is such that each harmonic's entry of largest magnitude is
+/// positive (the first of them, when several agree to 1e-6); the constant is positive.
+///
+/// Throws InvalidInput when the mesh cannot carry that many harmonics, SolverFailure when they
+/// do not converge to the tolerance or cannot be shown to be complete, Aborted.
+ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
+  const HarmonicsOptions& options, const Progress& progress = Progress());
+
+/// Takes a basis that came from elsewhere, if it is one for this mesh: the masses agree, every
+/// residual is small and every column is a unit vector. Nothing otherwise: a stale basis is
+/// never used. Costs a few sparse products.
+std::optional<ManifoldHarmonics> AdoptManifoldHarmonics(const TriangleMesh& mesh, MassMatrix mass,
+  Eigen::VectorXd eigenvalues, Eigen::MatrixXd basis, const Eigen::VectorXd& vertexMass);
+
+/// An m x 3 matrix of descriptors (x~, y~, z~).
+using Spectrum = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+/// Forward transform, eq. 6: row k is <x, H^k>, <y, H^k>, <z, H^k>. In length^2.
+Spectrum ForwardTransform(const ManifoldHarmonics& harmonics,
+  const TriangleMesh::PointMatrix& points);
+
+/// Inverse transform, eq. 7: the points that these descriptors add up to. In length.
+TriangleMesh::PointMatrix InverseTransform(const ManifoldHarmonics& harmonics,
+  const Spectrum& spectrum);
+
+/// Eq. 9: the length of each row.
+Eigen::VectorXd Magnitudes(const Spectrum& spectrum);
+
+/// Multiplies descriptor k by gains[k] and transforms back, with what lies outside the basis
+/// (the residual) added unchanged or dropped.
+TriangleMesh::PointMatrix FilterPoints(const ManifoldHarmonics& harmonics,
+  const TriangleMesh::PointMatrix& points, const Eigen::VectorXd& gains, bool keepResidual);
+
+} // namespace spectralwatermark
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TriangleMesh.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace spectralwatermark
+{
+
+std::vector<Edge> UniqueEdges(const TriangleMesh& mesh)
+{
+  std::vector<Edge> edges;
+  edges.reserve(static_cast<std::size_t>(3 * mesh.NumberOfTriangles()));
+  for (Index t = 0; t < mesh.NumberOfTriangles(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const Index a = mesh.Triangles(t, corner);
+      const Index b = mesh.Triangles(t, (corner + 1) % 3);
+      edges.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+double MeanEdgeLength(const TriangleMesh& mesh)
+{
+  const std::vector<Edge> edges = UniqueEdges(mesh);
+  double sum = 0.0;
+  for (const Edge& edge : edges)
+  {
+    sum += (mesh.Points.row(edge.first) - mesh.Points.row(edge.second)).norm();
+  }
+  return edges.empty() ? 0.0 : sum / static_cast<double>(edges.size());
+}
+
+TriangleMesh::PointMatrix VertexNormals(const TriangleMesh& mesh)
+{
+  TriangleMesh::PointMatrix normals = TriangleMesh::PointMatrix::Zero(mesh.NumberOfVertices(), 3);
+  for (Index t = 0; t < mesh.NumberOfTriangles(); ++t)
+  {
+    const auto corners = mesh.Triangles.row(t);
+    const Eigen::RowVector3d p = mesh.Points.row(corners[0]);
+    const Eigen::RowVector3d q = mesh.Points.row(corners[1]);
+    const Eigen::RowVector3d r = mesh.Points.row(corners[2]);
+    const Eigen::RowVector3d areaVector = (q - p).cross(r - p);
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      normals.row(corners[corner]) += areaVector;
+    }
+  }
+  for (Index v = 0; v < normals.rows(); ++v)
+  {
+    const double length = normals.row(v).norm();
+    if (length > 0.0)
+    {
+      normals.row(v) /= length;
+    }
+  }
+  return normals;
+}
+
+} // namespace spectralwatermark

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/PolyDataMesh.h"
+
+#include "Core/Errors.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStaticPointLocator.h>
+#include <vtkTriangleFilter.h>
+
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+namespace spectralwatermark
+{
+
+namespace
+{
+
+using Triangle = std::array<vtkIdType, 3>;
+
+void CheckNotEmpty(vtkPolyData* input)
+{
+  if (input == nullptr || input->GetNumberOfPoints() == 0)
+  {
+    throw InvalidInput("the input has no points: connect a mesh, and check that its file was read");
+  }
+  if (input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
+  {
+    throw InvalidInput("the input has points but no polygons or triangle strips: a surface is "
+                       "needed; reconstruct one first if this is a point cloud");
+  }
+}
+
+// The same points, with nothing but triangles.
+vtkSmartPointer<vtkCellArray> Triangulated(vtkPolyData* input)
+{
+  const bool onlyTriangles =
+    input->GetNumberOfStrips() == 0 && input->GetPolys()->IsHomogeneous() == 3;
+  if (onlyTriangles)
+  {
+    return input->GetPolys();
+  }
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(input->GetPoints());
+  surface->SetPolys(input->GetPolys());
+  surface->SetStrips(input->GetStrips());
+  vtkNew<vtkTriangleFilter> triangulate;
+  triangulate->SetInputData(surface);
+  triangulate->PassVertsOff();
+  triangulate->PassLinesOff();
+  triangulate->Update();
+  return triangulate->GetOutput()->GetPolys();
+}
+
+std::vector<Triangle> TrianglesOf(vtkCellArray* cells, vtkIdType pointCount)
+{
+  std::vector<Triangle> triangles;
+  triangles.reserve(static_cast<std::size_t>(cells->GetNumberOfCells()));
+  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    iterator->GetCurrentCell(size, corners);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      if (corners[i] < 0 || corners[i] >= pointCount)
+      {
+        throw InvalidInput("a polygon uses point " + std::to_string(corners[i]) +
+          ", but there are " + std::to_string(pointCount) + " points: the mesh is damaged");
+      }
+    }
+    if (size == 3)
+    {
+      triangles.push_back({ corners[0], corners[1], corners[2] });
+    }
+  }
+  return triangles;
+}
+
+std::vector<vtkIdType> UsedPoints(const std::vector<Triangle>& triangles, vtkIdType pointCount)
+{
+  std::vector<char> isUsed(static_cast<std::size_t>(pointCount), 0);
+  for (const Triangle& triangle : triangles)
+  {
+    for (const vtkIdType point : triangle)
+    {
+      isUsed[static_cast<std::size_t>(point)] = 1;
+    }
+  }
+  std::vector<vtkIdType> used;
+  for (vtkIdType point = 0; point < pointCount; ++point)
+  {
+    if (isUsed[static_cast<std::size_t>(point)] != 0)
+    {
+      used.push_back(point);
+    }
+  }
+  return used;
+}
+
+// For each row the lowest row with exactly the same coordinates.
+std::vector<vtkIdType> LowestCoincident(const TriangleMesh::PointMatrix& points)
+{
+  vtkNew<vtkPoints> coordinates;
+  coordinates->SetDataTypeToDouble();
+  coordinates->SetNumberOfPoints(points.rows());
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    coordinates->SetPoint(i, points(i, 0), points(i, 1), points(i, 2));
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(coordinates);
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(cloud);
+  locator->BuildLocator();
+  std::vector<vtkIdType> lowest(static_cast<std::size_t>(points.rows()));
+  locator->MergePoints(0.0, lowest.data());
+  return lowest;
+}
+
+std::vector<vtkIdType> Identity(std::size_t size)
+{
+  std::vector<vtkIdType> ids(size);
+  std::iota(ids.begin(), ids.end(), vtkIdType{ 0 });
+  return ids;
+}
+
+// The triangles by vertex, without those that lost a corner.
+TriangleMesh::TriangleMatrix ProperTriangles(const std::vector<Triangle>& triangles,
+  const std::vector<Index>& vertexOfPoint)
+{
+  TriangleMesh::TriangleMatrix proper(static_cast<Index>(triangles.size()), 3);
+  Index kept = 0;
+  for (const Triangle& triangle : triangles)
+  {
+    const Index a = vertexOfPoint[static_cast<std::size_t>(triangle[0])];
+    const Index b = vertexOfPoint[static_cast<std::size_t>(triangle[1])];
+    const Index c = vertexOfPoint[static_cast<std::size_t>(triangle[2])];
+    if (a != b && b != c && c != a)
+    {
+      proper.row(kept++) << a, b, c;
+    }
+  }
+  if (kept == 0)
+  {
+    throw InvalidInput("no polygon has three distinct points: there is no surface");
+  }
+  proper.conservativeResize(kept, 3);
+  return proper;
+}
+
+} // namespace
+
+PolyDataMesh ToMesh(vtkPolyData* input, CoincidentPoints coincident)
+{
+  CheckNotEmpty(input);
+  const vtkIdType pointCount = input->GetNumberOfPoints();
+  const std::vector<Triangle> triangles = TrianglesOf(Triangulated(input), pointCount);
+  const std::vector<vtkIdType> used = UsedPoints(triangles, pointCount);
+
+  PolyDataMesh result;
+  result.VertexOfPoint.assign(static_cast<std::size_t>(pointCount), -1);
+  const std::vector<vtkIdType> lowest = coincident == CoincidentPoints::Merge
+    ? LowestCoincident(PointsAt(input, used))
+    : Identity(used.size());
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    const vtkIdType first = used[static_cast<std::size_t>(lowest[i])];
+    Index& vertexOfFirst = result.VertexOfPoint[static_cast<std::size_t>(first)];
+    if (vertexOfFirst < 0)
+    {
+      vertexOfFirst = static_cast<Index>(result.PointOfVertex.size());
+      result.PointOfVertex.push_back(first);
+    }
+    result.VertexOfPoint[static_cast<std::size_t>(used[i])] = vertexOfFirst;
+  }
+  result.Mesh.Points = PointsAt(input, result.PointOfVertex);
+  result.Mesh.Triangles = ProperTriangles(triangles, result.VertexOfPoint);
+  return result;
+}
+
+TriangleMesh::PointMatrix PointsAt(vtkPolyData* input, const std::vector<vtkIdType>& ids)
+{
+  TriangleMesh::PointMatrix points(static_cast<Index>(ids.size()), 3);
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    double p[3];
+    input->GetPoint(ids[i], p);
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    {
+      throw InvalidInput("point " + std::to_string(ids[i]) +
+        " has a coordinate that is not finite: remove it and its polygons, or mend the file");
+    }
+    points.row(static_cast<Index>(i)) << p[0], p[1], p[2];
+  }
+  return points;
+}
+
+vtkSmartPointer<vtkPolyData> ToPolyData(const TriangleMesh& mesh, bool storesFloat)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(storesFloat ? VTK_FLOAT : VTK_DOUBLE);
+  points->SetNumberOfPoints(mesh.NumberOfVertices());
+  for (Index v = 0; v < mesh.NumberOfVertices(); ++v)
+  {
+    points->SetPoint(v, mesh.Points(v, 0), mesh.Points(v, 1), mesh.Points(v, 2));
+  }
+  vtkNew<vtkCellArray> cells;
+  for (Index t = 0; t < mesh.NumberOfTriangles(); ++t)
+  {
+    const auto corners = mesh.Triangles.row(t);
+    cells->InsertNextCell({ corners[0], corners[1], corners[2] });
+  }
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->SetPoints(points);
+  output->SetPolys(cells);
+  return output;
+}
+
+vtkSmartPointer<vtkDoubleArray> ToPointArray(const char* name, const PolyDataMesh& mesh,
+  const Eigen::MatrixXd& values)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(values.cols()));
+  array->SetNumberOfTuples(static_cast<vtkIdType>(mesh.VertexOfPoint.size()));
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Eigen::Map<RowMajor> tuples(array->GetPointer(0), static_cast<Index>(mesh.VertexOfPoint.size()),
+    values.cols());
+  for (std::size_t point = 0; point < mesh.VertexOfPoint.size(); ++point)
+  {
+    const Index vertex = mesh.VertexOfPoint[point];
+    if (vertex >= 0)
+    {
+      tuples.row(static_cast<Index>(point)) = values.row(vertex);
+    }
+    else
+    {
+      tuples.row(static_cast<Index>(point)).setZero();
+    }
+  }
+  return array;
+}
+
+bool StoresFloat(vtkPolyData* input, int outputPointsPrecision)
+{
+  if (outputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION)
+  {
+    return input->GetPoints()->GetDataType() != VTK_DOUBLE;
+  }
+  return outputPointsPrecision == vtkAlgorithm::SINGLE_PRECISION;
+}
+
+void SetPoints(vtkPolyData* output, vtkPolyData* input, const PolyDataMesh& mesh,
+  const TriangleMesh::PointMatrix& points, int outputPointsPrecision)
+{
+  vtkNew<vtkPoints> moved;
+  moved->SetDataType(StoresFloat(input, outputPointsPrecision) ? VTK_FLOAT : VTK_DOUBLE);
+  moved->SetNumberOfPoints(input->GetNumberOfPoints());
+  for (vtkIdType point = 0; point < input->GetNumberOfPoints(); ++point)
+  {
+    const Index vertex = mesh.VertexOfPoint[static_cast<std::size_t>(point)];
+    if (vertex >= 0)
+    {
+      moved->SetPoint(point, points(vertex, 0), points(vertex, 1), points(vertex, 2));
+    }
+    else
+    {
+      moved->SetPoint(point, input->GetPoint(point));
+    }
+  }
+  output->SetPoints(moved);
+}
+
+} // namespace spectralwatermark

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkManifoldHarmonics.h"
+
+#include "Core/ManifoldHarmonics.h"
+#include "Private/FilterRun.h"
+#include "Private/HarmonicsArrays.h"
+#include "Private/PolyDataMesh.h"
+
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+namespace sw = spectralwatermark;
+
+vtkStandardNewMacro(vtkManifoldHarmonics);
+
+vtkManifoldHarmonics::vtkManifoldHarmonics() = default;
+vtkManifoldHarmonics::~vtkManifoldHarmonics() = default;
+
+const char* vtkManifoldHarmonics::GetMassMatrixAsString() const
+{
+  return this->MassMatrix == Lumped ? "Lumped" : "Consistent";
+}
+
+void vtkManifoldHarmonics::SetArrayName(const char* name)
+{
+  const std::string wanted = name != nullptr && *name != '\0' ? name : sw::DefaultBasisName;
+  if (wanted != this->ArrayName)
+  {
+    this->ArrayName = wanted;
+    this->Modified();
+  }
+}
+
+int vtkManifoldHarmonics::RequestData(vtkInformation*, vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return sw::RunFilter(this, this->ErrorCode, outputs,
+    [&]()
+    {
+      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      const sw::PolyDataMesh mesh = sw::ToMesh(input);
+
+      sw::HarmonicsOptions options;
+      options.Count = this->NumberOfHarmonics;
+      options.Mass = static_cast<sw::MassMatrix>(this->MassMatrix);
+      options.BandSize = this->BandSize;
+      options.Tolerance = this->Tolerance;
+      const sw::ManifoldHarmonics harmonics =
+        sw::ComputeManifoldHarmonics(mesh.Mesh, options, sw::ProgressOf(this));
+
+      output->ShallowCopy(input);
+      sw::AttachHarmonics(output, this->GetArrayName(), mesh, harmonics);
+    });
+}
+
+void vtkManifoldHarmonics::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfHarmonics: " << this->NumberOfHarmonics << "\n";
+  os << indent << "MassMatrix: " << this->GetMassMatrixAsString() << "\n";
+  os << indent << "BandSize: " << this->BandSize << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "ArrayName: " << this->ArrayName << "\n";
+}

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSpectralWatermarkEmbed
+ * @brief   Hides a message in the spectrum of a triangle mesh
+ *
+ * Embeds a bit into one magnitude of each slot (paper, eqs. 10 and 11) and repeats with the
+ * changed mesh's own basis until the message is read back blind (paper, 2.3). Only the change of
+ * the spectrum is transformed back and added to the points, so that no detail is lost. What is
+ * checked are the points exactly as they leave the filter, rounded to their output precision.
+ *
+ * Output port 0: the marked mesh, with the input's cells and attributes, the new points, and
+ * point data `GeometricDistortion` (double: each point's displacement as a fraction of the
+ * input's bounding-box diagonal). Arrays of a basis are left out: it no longer fits. Points used
+ * by no polygon do not move; points at the same place stay together.
+ *
+ * Output port 1: a vtkTable with a row per iteration and slot: `Iteration` (0: the input),
+ * `Slot` and `Component` (1-based), `Magnitude`, `Average`, `Deviation` (length^2), `BitWanted`,
+ * `BitRead`.
+ *
+ * A basis on the input (vtkManifoldHarmonics, lumped, at least as many harmonics as the slots
+ * need) serves the first iteration.
+ *
+ * Not converged after MaximumNumberOfIterations: the output is the mesh that read the most bits
+ * right, GetConverged() is 0, GetExtractedMessage() is what it reads, and a vtkWarningMacro says
+ * so. This is no error: narrow slots and symmetric models often need a larger TurbulenceFactor.
+ *
+ * Errors (vtkErrorMacro, an error code, empty outputs): as for vtkManifoldHarmonics; an empty
+ * message, or one with characters other than 0 and 1; more bits than the mesh can carry; slots
+ * that contradict each other or reach into the constant harmonics.
+ *
+ * @code{.cpp}
+ * vtkNew<vtkSpectralWatermarkEmbed> embed;
+ * embed->SetInputConnection(reader->GetOutputPort());
+ * embed->SetMessage("10110");
+ * embed->Update();
+ * if (!embed->GetConverged()) { ... }
+ * @endcode
+ *
+ * @sa
+ * vtkSpectralWatermarkDetect vtkMeshDistortion
+ */
+#ifndef vtkSpectralWatermarkEmbed_h
+#define vtkSpectralWatermarkEmbed_h
+
+#include "vtkSpectralWatermarkAlgorithm.h"
+
+#include <string> // for Message
+
+class VTKFILTERSSPECTRALWATERMARK_EXPORT vtkSpectralWatermarkEmbed
+  : public vtkSpectralWatermarkAlgorithm
+{
+public:
+  static vtkSpectralWatermarkEmbed* New();
+  vtkTypeMacro(vtkSpectralWatermarkEmbed, vtkSpectralWatermarkAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get the bits to embed (the paper's "key"), a string of 0 and 1. Default "10110". n bits
+   * need FirstComponent - 1 + n SlotSize harmonics.
+   */
+  void SetMessage(const char* message);
+  const char* GetMessage() const { return this->Message.c_str(); }
+  ///@}
+
+  /**
+   * Bit embeddings. Aggressive (eq. 10): every carrier ends at least TurbulenceFactor deviations
+   * from the average. NonAggressive (eq. 11): carriers already on their side stay.
+   */
+  enum BitEmbeddingType
+  {
+    Aggressive = 0,
+    NonAggressive = 1
+  };
+
+  ///@{
+  /**
+   * Set/Get when a carrier is changed. Default Aggressive.
+   */
+  vtkSetClampMacro(BitEmbedding, int, Aggressive, NonAggressive);
+  vtkGetMacro(BitEmbedding, int);
+  void SetBitEmbeddingToAggressive() { this->SetBitEmbedding(Aggressive); }
+  void SetBitEmbeddingToNonAggressive() { this->SetBitEmbedding(NonAggressive); }
+  const char* GetBitEmbeddingAsString() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the paper's s: how many deviations of the references lie between a changed carrier
+   * and their average. More is more robust and more visible. Default 1, from 0 to 1000. A target
+   * below 0 becomes 0.
+   */
+  vtkSetClampMacro(TurbulenceFactor, double, 0.0, 1000.0);
+  vtkGetMacro(TurbulenceFactor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the paper's extraction threshold: embedding stops as soon as that many bits are read
+   * back right. Default 0: all. More than there are bits means all.
+   */
+  vtkSetClampMacro(RequiredBits, int, 0, VTK_INT_MAX);
+  vtkGetMacro(RequiredBits, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get after how many iterations to give up. Default 20, at least 1.
+   */
+  vtkSetClampMacro(MaximumNumberOfIterations, int, 1, VTK_INT_MAX);
+  vtkGetMacro(MaximumNumberOfIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the precision of the output points, a vtkAlgorithm::DesiredOutputPrecision. Default
+   * DEFAULT_PRECISION: the input's. Choose SINGLE_PRECISION when the mesh goes to a file format
+   * that stores floats, so that what was verified is what the file holds.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  /**
+   * Get whether at least RequiredBits bits of the output were read back right.
+   */
+  vtkGetMacro(Converged, int);
+
+  /**
+   * Get how many times the output's points were changed.
+   */
+  vtkGetMacro(NumberOfIterationsUsed, int);
+
+  /**
+   * Get how many bases the last update computed: one per iteration, and one for the input unless
+   * it brought its own.
+   */
+  vtkGetMacro(NumberOfEigensolves, int);
+
+  /**
+   * Get what the output reads, blind; "" after an error or an abort.
+   */
+  const char* GetExtractedMessage() const { return this->ExtractedMessage.c_str(); }
+
+protected:
+  vtkSpectralWatermarkEmbed();
+  ~vtkSpectralWatermarkEmbed() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkSpectralWatermarkEmbed(const vtkSpectralWatermarkEmbed&) = delete;
+  void operator=(const vtkSpectralWatermarkEmbed&) = delete;
+
+  void ResetResults();
+  void WarnUnlessConverged();
+
+  std::string Message = "10110";
+  int BitEmbedding = Aggressive;
+  double TurbulenceFactor = 1.0;
+  int RequiredBits = 0;
+  int MaximumNumberOfIterations = 20;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+
+  int Converged = 0;
+  int NumberOfIterationsUsed = 0;
+  int NumberOfEigensolves = 0;
+  std::string ExtractedMessage;
+};
+
+#endif

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/DenseEigensolver.h"
+#include "Core/LaplaceOperator.h"
+#include "Core/SpectraEigensolver.h"
+#include "Support/Shapes.h"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace spectralwatermark;
+
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+
+// The problem of a mesh, scaled to unit area as the interface asks.
+struct OwnedProblem
+{
+  explicit OwnedProblem(const TriangleMesh& mesh, MassMatrix kind = MassMatrix::Lumped)
+  {
+    LaplaceOperator op = AssembleLaplaceOperator(mesh, kind);
+    this->Stiffness = op.Stiffness;
+    this->Mass = op.Mass / op.Area;
+    this->Kernel = op.Kernel * std::sqrt(op.Area);
+    this->Rank = op.Rank;
+  }
+  OwnedProblem() = default;
+
+  EigenProblem View() const { return { this->Stiffness, this->Mass, this->Kernel, this->Rank }; }
+
+  SparseMatrix Stiffness;
+  SparseMatrix Mass;
+  Eigen::MatrixXd Kernel;
+  Index Rank = 0;
+};
+
+// The unit square with opposite sides glued: a flat torus of area 1. No such surface lies in
+// space, but its matrices come from the square's by adding what is glued.
+OwnedProblem FlatTorus(Index cells)
+{
+  const TriangleMesh square = shapes::Rectangle(cells, cells, 1.0, 1.0);
+  const LaplaceOperator op = AssembleLaplaceOperator(square, MassMatrix::Lumped);
+  SparseMatrix glue(square.NumberOfVertices(), cells * cells);
+  for (Index j = 0; j <= cells; ++j)
+  {
+    for (Index i = 0; i <= cells; ++i)
+    {
+      glue.insert(j * (cells + 1) + i, (j % cells) * cells + i % cells) = 1.0;
+    }
+  }
+  OwnedProblem torus;
+  torus.Stiffness = glue.transpose() * op.Stiffness * glue;
+  torus.Mass = glue.transpose() * op.Mass * glue;
+  torus.Kernel = Eigen::MatrixXd::Ones(cells * cells, 1);
+  torus.Rank = cells * cells;
+  return torus;
+}
+
+// 4 pi^2 (i^2 + j^2) over all integers, ascending.
+std::vector<double> FlatTorusSpectrum(Index count)
+{
+  std::vector<double> values;
+  for (int i = -30; i <= 30; ++i)
+  {
+    for (int j = -30; j <= 30; ++j)
+    {
+      values.push_back(4.0 * Pi * Pi * (i * i + j * j));
+    }
+  }
+  std::sort(values.begin(), values.end());
+  values.resize(static_cast<std::size_t>(count));
+  return values;
+}
+
+EigenPairs SolveBanded(const OwnedProblem& problem, Index count, Index bandSize)
+{
+  EigensolverOptions options;
+  options.Count = count;
+  options.BandSize = bandSize;
+  return SpectraEigensolver().Solve(problem.View(), options, Progress());
+}
+
+EigenPairs SolveDense(const OwnedProblem& problem, Index count)
+{
+  EigensolverOptions options;
+  options.Count = count;
+  return DenseEigensolver().Solve(problem.View(), options, Progress());
+}
+
+double OrthonormalityError(const OwnedProblem& problem, const EigenPairs& pairs)
+{
+  const Eigen::MatrixXd gram = pairs.Vectors.transpose() * (problem.Mass * pairs.Vectors);
+  return (gram - Eigen::MatrixXd::Identity(gram.rows(), gram.cols())).cwiseAbs().maxCoeff();
+}
+
+void ExpectSameSpectrum(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
+{
+  ASSERT_EQ(a.size(), b.size());
+  for (Index k = 0; k < a.size(); ++k)
+  {
+    EXPECT_NEAR(a[k], b[k], 1e-9 * (1.0 + b[k])) << "eigenvalue " << k + 1;
+  }
+}
+
+} // namespace
+
+TEST(Eigensolvers, BandedAgreesWithDenseOverHalfTheSpectrum)
+{
+  for (const MassMatrix kind : { MassMatrix::Lumped, MassMatrix::Consistent })
+  {
+    const OwnedProblem problem(shapes::Bumpy(3), kind);
+    const Index count = problem.Rank / 2;
+    const EigenPairs banded = SolveBanded(problem, count, 40);
+    const EigenPairs dense = SolveDense(problem, count);
+    EXPECT_TRUE(banded.Complete);
+    EXPECT_GT(banded.Bands, 4);
+    ExpectSameSpectrum(banded.Values, dense.Values);
+    EXPECT_LT(OrthonormalityError(problem, banded), 1e-10);
+    EXPECT_LT(OrthonormalityError(problem, dense), 1e-10);
+    EXPECT_LT(banded.Residuals.maxCoeff(), 1e-8);
+    EXPECT_LT(dense.Residuals.maxCoeff(), 1e-8);
+  }
+}
+
+TEST(Eigensolvers, DenseFindsTheWholeSpectrum)
+{
+  const OwnedProblem problem(shapes::Bumpy(2));
+  const EigenPairs pairs = SolveDense(problem, problem.Rank);
+  ASSERT_TRUE(pairs.Complete);
+  // A second construction: the symmetric standard problem D^-1/2 S D^-1/2.
+  const Eigen::VectorXd scale = Eigen::VectorXd(problem.Mass.diagonal()).cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd standard =
+    scale.asDiagonal() * Eigen::MatrixXd(problem.Stiffness) * scale.asDiagonal();
+  const Eigen::VectorXd expected = standard.selfadjointView<Eigen::Lower>().eigenvalues();
+  EXPECT_LT((pairs.Values - expected).cwiseAbs().maxCoeff(), 1e-10 * expected.maxCoeff());
+}
+
+TEST(Eigensolvers, BandSizeDoesNotChangeTheSpectrum)
+{
+  const OwnedProblem problem(shapes::Bumpy(4));
+  const EigenPairs one = SolveBanded(problem, 150, 150);
+  for (const Index bandSize : { 7, 23, 64 })
+  {
+    const EigenPairs several = SolveBanded(problem, 150, bandSize);
+    EXPECT_TRUE(several.Complete);
+    EXPECT_GT(several.Bands, one.Bands);
+    ExpectSameSpectrum(several.Values, one.Values);
+    EXPECT_LT(OrthonormalityError(problem, several), 1e-10);
+    EXPECT_LT(several.Residuals.maxCoeff(), 1e-8);
+  }
+}
+
+// The eigenvalues of the flat torus come 4, 8 or 12 at a time: bands must neither lose nor
+// repeat one wherever they are cut.
+TEST(Eigensolvers, FlatTorusMultiplicitiesSurviveEveryBandSize)
+{
+  const OwnedProblem torus = FlatTorus(48);
+  const Index count = 121;
+  const std::vector<double> expected = FlatTorusSpectrum(count);
+  for (const Index bandSize : { 5, 10, 30, 121 })
+  {
+    const EigenPairs pairs = SolveBanded(torus, count, bandSize);
+    ASSERT_TRUE(pairs.Complete) << "band size " << bandSize;
+    EXPECT_LT(OrthonormalityError(torus, pairs), 1e-10);
+    for (Index k = 1; k < count; ++k)
+    {
+      // Second-order error of linear elements, (k h)^2 / 12 of each direction at most.
+      EXPECT_NEAR(pairs.Values[k] / expected[static_cast<std::size_t>(k)], 1.0, 0.06)
+        << "eigenvalue " << k + 1 << ", band size " << bandSize;
+    }
+  }
+}
+
+// Two identical components: every eigenvalue at least twice, to the last bit.
+TEST(Eigensolvers, IdenticalComponentsDoubleEveryEigenvalue)
+{
+  const TriangleMesh one = shapes::Bumpy(3);
+  const OwnedProblem single(one);
+  const OwnedProblem twice(shapes::Union({ one, one }, 4.0));
+  const EigenPairs expected = SolveDense(single, 60);
+  for (const Index bandSize : { 16, 120 })
+  {
+    const EigenPairs pairs = SolveBanded(twice, 120, bandSize);
+    ASSERT_TRUE(pairs.Complete);
+    for (Index k = 0; k < 120; ++k)
+    {
+      // Unit area of both together is half of it for each.
+      EXPECT_NEAR(pairs.Values[k], 2.0 * expected.Values[k / 2], 1e-8 * (1.0 + pairs.Values[k]))
+        << "eigenvalue " << k + 1 << ", band size " << bandSize;
+    }
+  }
+}
+
+// Forty components: a kernel of forty vectors, and clusters of forty copies above it.
+TEST(Eigensolvers, ManyComponents)
+{
+  const std::vector<TriangleMesh> parts(40, shapes::Icosphere(1));
+  const OwnedProblem problem(shapes::Union(parts, 3.0));
+  const EigenPairs pairs = SolveBanded(problem, 200, 0);
+  ASSERT_TRUE(pairs.Complete);
+  EXPECT_EQ((pairs.Values.array() == 0.0).count(), 40);
+  // Next, l = 1 on each of the forty: 120 times the same.
+  EXPECT_NEAR(pairs.Values[40], pairs.Values[159], 1e-8 * pairs.Values[40]);
+  EXPECT_GT(pairs.Values[160], 2.0 * pairs.Values[159]);
+}
+
+TEST(Eigensolvers, SameInputSameBytes)
+{
+  const OwnedProblem problem(shapes::Bumpy(3));
+  const EigenPairs first = SolveBanded(problem, 80, 30);
+  const EigenPairs second = SolveBanded(problem, 80, 30);
+  EXPECT_TRUE((first.Values.array() == second.Values.array()).all());
+  EXPECT_TRUE((first.Vectors.array() == second.Vectors.array()).all());
+}
+
+TEST(Eigensolvers, ProgressRisesAndAbortStops)
+{
+  const OwnedProblem problem(shapes::Bumpy(4));
+  EigensolverOptions options;
+  options.Count = 90;
+  options.BandSize = 20;
+  std::vector<double> seen;
+  const Progress watching(
+    [&seen](double fraction)
+    {
+      seen.push_back(fraction);
+      return true;
+    });
+  SpectraEigensolver().Solve(problem.View(), options, watching);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  EXPECT_GT(seen.size(), 100u);
+  EXPECT_LT(seen.front(), 0.1);
+  EXPECT_EQ(seen.back(), 1.0);
+
+  const Progress stopping([](double fraction) { return fraction < 0.3; });
+  EXPECT_THROW(SpectraEigensolver().Solve(problem.View(), options, stopping), Aborted);
+}

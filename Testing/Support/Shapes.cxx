@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Support/Shapes.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace shapes
+{
+
+namespace
+{
+
+using Triangle = std::array<Index, 3>;
+
+TriangleMesh Assemble(const std::vector<Eigen::RowVector3d>& points,
+  const std::vector<Triangle>& triangles)
+{
+  TriangleMesh mesh;
+  mesh.Points.resize(static_cast<Index>(points.size()), 3);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    mesh.Points.row(static_cast<Index>(i)) = points[i];
+  }
+  mesh.Triangles.resize(static_cast<Index>(triangles.size()), 3);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      mesh.Triangles(static_cast<Index>(t), corner) =
+        triangles[t][static_cast<std::size_t>(corner)];
+    }
+  }
+  return mesh;
+}
+
+} // namespace
+
+TriangleMesh Icosphere(int level, double radius)
+{
+  const double golden = 0.5 * (1.0 + std::sqrt(5.0));
+  std::vector<Eigen::RowVector3d> points;
+  for (const double one : { -1.0, 1.0 })
+  {
+    for (const double g : { -golden, golden })
+    {
+      points.emplace_back(0.0, one, g);
+      points.emplace_back(one, g, 0.0);
+      points.emplace_back(g, 0.0, one);
+    }
+  }
+  // Faces: every triple of mutually nearest vertices (distance 2), outward.
+  std::vector<Triangle> triangles;
+  const auto adjacent = [&points](Index a, Index b)
+  {
+    return std::abs(
+             (points[static_cast<std::size_t>(a)] - points[static_cast<std::size_t>(b)]).norm() -
+             2.0) < 1e-9;
+  };
+  for (Index a = 0; a < 12; ++a)
+  {
+    for (Index b = a + 1; b < 12; ++b)
+    {
+      for (Index c = b + 1; c < 12; ++c)
+      {
+        if (adjacent(a, b) && adjacent(b, c) && adjacent(a, c))
+        {
+          const auto& p = points[static_cast<std::size_t>(a)];
+          const auto& q = points[static_cast<std::size_t>(b)];
+          const auto& r = points[static_cast<std::size_t>(c)];
+          const bool outward = (q - p).cross(r - p).dot(p) > 0.0;
+          triangles.push_back(outward ? Triangle{ a, b, c } : Triangle{ a, c, b });
+        }
+      }
+    }
+  }
+  for (int step = 0; step < level; ++step)
+  {
+    std::map<std::pair<Index, Index>, Index> middles;
+    const auto middle = [&](Index a, Index b)
+    {
+      const auto key = std::make_pair(std::min(a, b), std::max(a, b));
+      const auto [entry, isNew] = middles.emplace(key, static_cast<Index>(points.size()));
+      if (isNew)
+      {
+        points.push_back(points[static_cast<std::size_t>(a)].normalized() +
+          points[static_cast<std::size_t>(b)].normalized());
+      }
+      return entry->second;
+    };
+    std::vector<Triangle> finer;
+    for (const auto& [a, b, c] : triangles)
+    {
+      const Index ab = middle(a, b);
+      const Index bc = middle(b, c);
+      const Index ca = middle(c, a);
+      finer.insert(finer.end(), { { a, ab, ca }, { ab, b, bc }, { ca, bc, c }, { ab, bc, ca } });
+    }
+    triangles.swap(finer);
+  }
+  for (auto& point : points)
+  {
+    point = radius * point.normalized();
+  }
+  return Assemble(points, triangles);
+}
+
+TriangleMesh Rectangle(Index nx, Index ny, double a, double b)
+{
+  std::vector<Eigen::RowVector3d> points;
+  std::vector<Triangle> triangles;
+  for (Index j = 0; j <= ny; ++j)
+  {
+    for (Index i = 0; i <= nx; ++i)
+    {
+      points.emplace_back(a * static_cast<double>(i) / static_cast<double>(nx),
+        b * static_cast<double>(j) / static_cast<double>(ny), 0.0);
+    }
+  }
+  for (Index j = 0; j < ny; ++j)
+  {
+    for (Index i = 0; i < nx; ++i)
+    {
+      const Index corner = j * (nx + 1) + i;
+      const Index above = corner + nx + 1;
+      triangles.push_back({ corner, corner + 1, above + 1 });
+      triangles.push_back({ corner, above + 1, above });
+    }
+  }
+  return Assemble(points, triangles);
+}
+
+TriangleMesh Bumpy(int level)
+{
+  TriangleMesh mesh = Icosphere(level);
+  for (Index v = 0; v < mesh.NumberOfVertices(); ++v)
+  {
+    const Eigen::RowVector3d p = mesh.Points.row(v);
+    const double bump = 0.15 * std::sin(3.1 * p.x() + 0.7) + 0.1 * std::sin(5.3 * p.y() - 1.1) +
+      0.08 * std::cos(7.7 * p.z() + 2.3 * p.x()) +
+      0.04 * std::sin(11.0 * p.x() * p.y() + 13.0 * p.z());
+    mesh.Points.row(v) = (1.0 + bump) * p.cwiseProduct(Eigen::RowVector3d(1.0, 1.2, 0.85));
+  }
+  return mesh;
+}
+
+TriangleMesh Union(const std::vector<TriangleMesh>& parts, double offset)
+{
+  std::vector<Eigen::RowVector3d> points;
+  std::vector<Triangle> triangles;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+  {
+    const Index first = static_cast<Index>(points.size());
+    const Eigen::RowVector3d move(offset * static_cast<double>(k), 0.0, 0.0);
+    for (Index v = 0; v < parts[k].NumberOfVertices(); ++v)
+    {
+      points.emplace_back(parts[k].Points.row(v) + move);
+    }
+    for (Index t = 0; t < parts[k].NumberOfTriangles(); ++t)
+    {
+      const auto corners = parts[k].Triangles.row(t);
+      triangles.push_back({ first + corners[0], first + corners[1], first + corners[2] });
+    }
+  }
+  return Assemble(points, triangles);
+}
+
+TriangleMesh WithTriangles(TriangleMesh mesh, const std::vector<Eigen::RowVector3d>& points,
+  const std::vector<std::vector<Index>>& triangles)
+{
+  const Index firstPoint = mesh.NumberOfVertices();
+  mesh.Points.conservativeResize(firstPoint + static_cast<Index>(points.size()), 3);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    mesh.Points.row(firstPoint + static_cast<Index>(i)) = points[i];
+  }
+  const Index firstTriangle = mesh.NumberOfTriangles();
+  mesh.Triangles.conservativeResize(firstTriangle + static_cast<Index>(triangles.size()), 3);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      mesh.Triangles(firstTriangle + static_cast<Index>(t), corner) =
+        triangles[t][static_cast<std::size_t>(corner)];
+    }
+  }
+  return mesh;
+}
+
+} // namespace shapes

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Meshes whose spectra are known, for the tests.
+#ifndef SpectralWatermark_Testing_Shapes_h
+#define SpectralWatermark_Testing_Shapes_h
+
+#include "Core/TriangleMesh.h"
+
+#include <vector>
+
+namespace shapes
+{
+
+using spectralwatermark::Index;
+using spectralwatermark::TriangleMesh;
+
+/// An icosahedron subdivided `level` times (each triangle into four) onto the sphere.
+TriangleMesh Icosphere(int level, double radius = 1.0);
+
+/// The rectangle [0, a] x [0, b] in the plane z = 0, with nx x ny cells of two triangles.
+TriangleMesh Rectangle(Index nx, Index ny, double a, double b);
+
+/// A closed surface without symmetry: a sphere with bumps of several sizes.
+TriangleMesh Bumpy(int level);
+
+/// The meshes beside each other as one, the k-th moved by k * offset along x.
+TriangleMesh Union(const std::vector<TriangleMesh>& parts, double offset);
+
+/// The mesh with further points, and triangles of any of its points: for degenerate cases.
+TriangleMesh WithTriangles(TriangleMesh mesh, const std::vector<Eigen::RowVector3d>& points,
+  const std::vector<std::vector<Index>>& triangles);
+
+} // namespace shapes
+
+#endif
