@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Each kind of bad input, through each filter: a message that says what to do, an error code, an
+// empty output, and a filter that works again afterwards.
+#include "Support/FilterTesting.h"
+
+#include <vtkCellArray.h>
+#include <vtkErrorCode.h>
+#include <vtkManifoldHarmonics.h>
+#include <vtkManifoldHarmonicsReconstruction.h>
+#include <vtkMath.h>
+#include <vtkMeshAttack.h>
+#include <vtkMeshDistortion.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSpectralWatermarkDetect.h>
+#include <vtkSpectralWatermarkEmbed.h>
+#include <vtkTable.h>
+
+#include <gtest/gtest.h>
+
+using namespace filtertesting;
+
+namespace
+{
+
+std::vector<vtkSmartPointer<vtkPolyDataAlgorithm>> EveryFilter()
+{
+  std::vector<vtkSmartPointer<vtkPolyDataAlgorithm>> filters;
+  filters.emplace_back(vtkSmartPointer<vtkManifoldHarmonics>::New());
+  auto reconstruction = vtkSmartPointer<vtkManifoldHarmonicsReconstruction>::New();
+  reconstruction->SetNumberOfHarmonics(20);
+  filters.emplace_back(reconstruction);
+  filters.emplace_back(vtkSmartPointer<vtkSpectralWatermarkEmbed>::New());
+  filters.emplace_back(vtkSmartPointer<vtkSpectralWatermarkDetect>::New());
+  for (const int kind : { vtkMeshAttack::Rotation, vtkMeshAttack::NoiseAlongNormals,
+         vtkMeshAttack::SpectralSmoothing, vtkMeshAttack::Simplification })
+  {
+    auto attack = vtkSmartPointer<vtkMeshAttack>::New();
+    attack->SetAttack(kind);
+    filters.emplace_back(attack);
+  }
+  filters.emplace_back(vtkSmartPointer<vtkMeshDistortion>::New());
+  return filters;
+}
+
+void SetEveryInput(vtkPolyDataAlgorithm* filter, vtkPolyData* mesh)
+{
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    filter->SetInputData(port, mesh);
+  }
+}
+
+void ExpectEmptyOutputs(vtkPolyDataAlgorithm* filter)
+{
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << filter->GetClassName();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0) << filter->GetClassName();
+  if (filter->GetNumberOfOutputPorts() == 2)
+  {
+    auto* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
+    EXPECT_EQ(table->GetNumberOfColumns(), 0) << filter->GetClassName();
+  }
+}
+
+void ExpectErrorFrom(vtkPolyDataAlgorithm* filter, const char* part)
+{
+  Listener listener(filter);
+  filter->Update();
+  EXPECT_NE(listener.Errors.find(part), std::string::npos)
+    << filter->GetClassName() << " said: " << listener.Errors;
+  EXPECT_EQ(filter->GetErrorCode(), vtkErrorCode::UserError) << filter->GetClassName();
+  ExpectEmptyOutputs(filter);
+}
+
+void ExpectErrorFromEvery(vtkPolyData* mesh, const char* part)
+{
+  const auto sound = PolyData(shapes::Bumpy(4));
+  for (const auto& filter : EveryFilter())
+  {
+    SetEveryInput(filter, mesh);
+    ExpectErrorFrom(filter, part);
+    // The error does not outlive its cause.
+    SetEveryInput(filter, sound);
+    filter->Update();
+    EXPECT_EQ(filter->GetErrorCode(), vtkErrorCode::NoError) << filter->GetClassName();
+    EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0) << filter->GetClassName();
+  }
+}
+
+void ExpectEmbedError(vtkSpectralWatermarkEmbed* embed, const char* part)
+{
+  ExpectErrorFrom(embed, part);
+  EXPECT_EQ(embed->GetConverged(), 0);
+  EXPECT_EQ(embed->GetNumberOfIterationsUsed(), 0);
+  EXPECT_STREQ(embed->GetExtractedMessage(), "");
+}
+
+} // namespace
+
+TEST(BadInput, Empty)
+{
+  ExpectErrorFromEvery(vtkNew<vtkPolyData>(), "no points");
+}
+
+TEST(BadInput, NoPolygons)
+{
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(PolyData(shapes::Icosphere(2))->GetPoints());
+  ExpectErrorFromEvery(cloud, "no polygons");
+}
+
+TEST(BadInput, OnlyPolygonsWithoutThreeDistinctPoints)
+{
+  vtkNew<vtkPolyData> flat;
+  flat->SetPoints(PolyData(shapes::Icosphere(2))->GetPoints());
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell({ 0, 1, 1 });
+  cells->InsertNextCell({ 2, 2, 2 });
+  flat->SetPolys(cells);
+  ExpectErrorFromEvery(flat, "three distinct points");
+}
+
+TEST(BadInput, CoordinatesThatAreNotFinite)
+{
+  for (const double bad : { vtkMath::Nan(), vtkMath::Inf() })
+  {
+    const auto mesh = PolyData(shapes::Icosphere(3));
+    mesh->GetPoints()->SetPoint(17, 0.0, bad, 0.0);
+    ExpectErrorFromEvery(mesh, "point 17 has a coordinate that is not finite");
+  }
+}
+
+TEST(BadInput, UnusedPointsMayBeAnything)
+{
+  const auto mesh = PolyData(shapes::Bumpy(3));
+  mesh->GetPoints()->InsertNextPoint(vtkMath::Nan(), 0.0, 0.0);
+  vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetInputData(mesh);
+  embed->Update();
+  EXPECT_EQ(embed->GetErrorCode(), vtkErrorCode::NoError);
+  EXPECT_EQ(embed->GetConverged(), 1);
+}
+
+TEST(BadInput, PolygonsBeyondThePoints)
+{
+  const auto mesh = PolyData(shapes::Icosphere(1));
+  vtkNew<vtkCellArray> cells;
+  cells->DeepCopy(mesh->GetPolys());
+  cells->InsertNextCell({ 0, 1, 4200 });
+  mesh->SetPolys(cells);
+  vtkNew<vtkManifoldHarmonics> harmonics;
+  harmonics->SetInputData(mesh);
+  ExpectErrorFrom(harmonics, "a polygon uses point 4200");
+}
+
+TEST(BadInput, NoAreaAtAll)
+{
+  // A needle: all points on one line.
+  vtkNew<vtkPolyData> needle;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType i = 0; i < 200; ++i)
+  {
+    points->InsertNextPoint(static_cast<double>(i), 0.0, 0.0);
+    if (i >= 2)
+    {
+      cells->InsertNextCell({ i - 2, i - 1, i });
+    }
+  }
+  needle->SetPoints(points);
+  needle->SetPolys(cells);
+  vtkNew<vtkManifoldHarmonics> harmonics;
+  harmonics->SetInputData(needle);
+  ExpectErrorFrom(harmonics, "zero area");
+  vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetInputData(needle);
+  ExpectEmbedError(embed, "zero area");
+}
+
+TEST(BadInput, FewerVerticesThanHarmonics)
+{
+  vtkNew<vtkManifoldHarmonics> harmonics;
+  harmonics->SetInputData(PolyData(shapes::Icosphere(1)));
+  ExpectErrorFrom(harmonics, "100 harmonics were asked for, but the mesh has 42");
+}
+
+TEST(BadInput, MessageOfOtherCharacters)
+{
+  vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetInputData(PolyData(shapes::Bumpy(3)));
+  embed->SetMessage("10x10");
+  ExpectEmbedError(embed, "other than 0 and 1 at position 3");
+  vtkNew<vtkSpectralWatermarkDetect> detect;
+  detect->SetInputData(PolyData(shapes::Bumpy(3)));
+  detect->SetExpectedMessage("10 10");
+  ExpectErrorFrom(detect, "other than 0 and 1 at position 3");
+  EXPECT_STREQ(detect->GetExtractedMessage(), "");
+  EXPECT_EQ(detect->GetPValue(), 1.0);
+}
+
+TEST(BadInput, EmptyMessage)
+{
+  vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetInputData(PolyData(shapes::Bumpy(3)));
+  for (const char* message : { "", static_cast<const char*>(nullptr) })
+  {
+    embed->SetMessage(message);
+    EXPECT_STREQ(embed->GetMessage(), "");
+    ExpectEmbedError(embed, "the message is empty");
+    embed->SetMessage("1");
+  }
+}
+
+TEST(BadInput, MessageLongerThanTheSpectrum)
+{
+  vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetInputData(PolyData(shapes::Bumpy(2))); // 162 vertices
+  embed->SetMessage("101010101010101");
+  ExpectEmbedError(embed, "15 bits need 170 harmonics, and the mesh has no more than 162");
+}
+
+TEST(BadInput, SlotsBeyondTheHarmonics)
+{
+  vtkNew<vtkSpectralWatermarkDetect> detect;
+  detect->SetInputData(PolyData(shapes::Bumpy(2)));
+  detect->SetFirstComponent(150);
+  ExpectErrorFrom(detect, "5 bits need 199 harmonics, and the mesh has no more than 162");
+}
+
+TEST(BadInput, CarrierOutsideItsSlot)
+{
+  for (const int position : { 1, 10, 0, -4 })
+  {
+    vtkNew<vtkSpectralWatermarkEmbed> embed;
+    embed->SetInputData(PolyData(shapes::Bumpy(3)));
+    embed->SetCarrierPosition(position);
+    ExpectEmbedError(embed, "is not inside its slot: choose 2 to SlotSize - 1, here 9");
+  }
+}
+
+TEST(BadInput, UnknownScheme)
+{
+  vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetInputData(PolyData(shapes::Bumpy(3)));
+  embed->SetScheme(7);
+  EXPECT_STREQ(embed->GetSchemeAsString(), "Unknown");
+  ExpectEmbedError(embed, "scheme 7 is unknown");
+}
+
+TEST(BadInput, SlotsAmongTheConstantsOfManyComponents)
+{
+  const std::vector<shapes::TriangleMesh> parts(25, shapes::Icosphere(1));
+  const auto mesh = PolyData(shapes::Union(parts, 3.0));
+  vtkNew<vtkSpectralWatermarkDetect> detect;
+  detect->SetInputData(mesh);
+  ExpectErrorFrom(detect, "the mesh has 25 components");
+  vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetInputData(mesh);
+  ExpectEmbedError(embed, "Set FirstComponent to 26 or more");
+}
+
+TEST(BadInput, ReconstructionWithoutABasis)
+{
+  vtkNew<vtkManifoldHarmonicsReconstruction> reconstruction;
+  reconstruction->SetInputData(PolyData(shapes::Bumpy(3)));
+  ExpectErrorFrom(reconstruction, "carries no basis \"ManifoldHarmonics\" that fits");
+}
+
+TEST(BadInput, GainBeyondTheHarmonics)
+{
+  vtkNew<vtkManifoldHarmonicsReconstruction> reconstruction;
+  reconstruction->SetInputData(PolyData(shapes::Bumpy(3)));
+  reconstruction->SetNumberOfHarmonics(20);
+  reconstruction->SetGain(21, 2.0);
+  ExpectErrorFrom(reconstruction, "components go from 1 to 20");
+  reconstruction->RemoveAllGains();
+  reconstruction->SetGain(0, 2.0);
+  ExpectErrorFrom(reconstruction, "components go from 1 to 20");
+}
+
+TEST(BadInput, APieceOfADistributedMesh)
+{
+  for (const auto& filter : EveryFilter())
+  {
+    Listener listener(filter);
+    SetEveryInput(filter, PolyData(shapes::Bumpy(4)));
+    filter->UpdatePiece(0, 2, 0);
+    EXPECT_NE(listener.Errors.find("one of several pieces"), std::string::npos)
+      << filter->GetClassName() << " said: " << listener.Errors;
+    ExpectEmptyOutputs(filter);
+  }
+}
