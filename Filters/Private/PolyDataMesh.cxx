@@ -107,8 +107,9 @@ std::vector<vtkIdType> UsedPoints(const std::vector<Triangle>& triangles, vtkIdT
   return used;
 }
 
-// For each row the lowest row with exactly the same coordinates.
-std::vector<vtkIdType> LowestCoincident(const TriangleMesh::PointMatrix& points)
+// For each row, one row that stands for all with exactly the same coordinates. Which of them it is
+// depends on the number of threads.
+std::vector<vtkIdType> RepresentativeRows(const TriangleMesh::PointMatrix& points)
 {
   vtkNew<vtkPoints> coordinates;
   coordinates->SetDataTypeToDouble();
@@ -122,9 +123,9 @@ std::vector<vtkIdType> LowestCoincident(const TriangleMesh::PointMatrix& points)
   vtkNew<vtkStaticPointLocator> locator;
   locator->SetDataSet(cloud);
   locator->BuildLocator();
-  std::vector<vtkIdType> lowest(static_cast<std::size_t>(points.rows()));
-  locator->MergePoints(0.0, lowest.data());
-  return lowest;
+  std::vector<vtkIdType> representatives(static_cast<std::size_t>(points.rows()));
+  locator->MergePoints(0.0, representatives.data());
+  return representatives;
 }
 
 std::vector<vtkIdType> Identity(std::size_t size)
@@ -169,19 +170,20 @@ PolyDataMesh ToMesh(vtkPolyData* input, CoincidentPoints coincident)
 
   PolyDataMesh result;
   result.VertexOfPoint.assign(static_cast<std::size_t>(pointCount), -1);
-  const std::vector<vtkIdType> lowest = coincident == CoincidentPoints::Merge
-    ? LowestCoincident(PointsAt(input, used))
+  const std::vector<vtkIdType> representative = coincident == CoincidentPoints::Merge
+    ? RepresentativeRows(PointsAt(input, used))
     : Identity(used.size());
+  // Vertices are numbered in the order of their lowest points, whichever point represents them.
+  std::vector<Index> vertexOfRow(used.size(), -1);
   for (std::size_t i = 0; i < used.size(); ++i)
   {
-    const vtkIdType first = used[static_cast<std::size_t>(lowest[i])];
-    Index& vertexOfFirst = result.VertexOfPoint[static_cast<std::size_t>(first)];
-    if (vertexOfFirst < 0)
+    Index& vertex = vertexOfRow[static_cast<std::size_t>(representative[i])];
+    if (vertex < 0)
     {
-      vertexOfFirst = static_cast<Index>(result.PointOfVertex.size());
-      result.PointOfVertex.push_back(first);
+      vertex = static_cast<Index>(result.PointOfVertex.size());
+      result.PointOfVertex.push_back(used[i]);
     }
-    result.VertexOfPoint[static_cast<std::size_t>(used[i])] = vertexOfFirst;
+    result.VertexOfPoint[static_cast<std::size_t>(used[i])] = vertex;
   }
   result.Mesh.Points = PointsAt(input, result.PointOfVertex);
   result.Mesh.Triangles = ProperTriangles(triangles, result.VertexOfPoint);

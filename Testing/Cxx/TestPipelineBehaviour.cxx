@@ -157,11 +157,14 @@ TEST(Pipeline, TwoRunsGiveTheSameBytes)
 
 TEST(Pipeline, OneAndTwoThreadsGiveTheSameBytes)
 {
-  const auto mesh = PolyData(shapes::Bumpy(4), true);
-  vtkSMPTools::Initialize(1);
-  const std::vector<std::string> one = BytesOfEveryFilter(mesh);
-  vtkSMPTools::Initialize(2);
-  EXPECT_EQ(one, BytesOfEveryFilter(mesh));
+  // A soup too: which of its coincident points VTK's locator meets first depends on the threads.
+  for (const auto& mesh : { PolyData(shapes::Bumpy(4), true), Soup(shapes::Bumpy(4)) })
+  {
+    vtkSMPTools::Initialize(1);
+    const std::vector<std::string> one = BytesOfEveryFilter(mesh);
+    vtkSMPTools::Initialize(2);
+    EXPECT_EQ(one, BytesOfEveryFilter(mesh));
+  }
 }
 
 TEST(Pipeline, InputIsNotTouched)
