@@ -18,15 +18,14 @@
  *
  * Output: the input's points, cells and attributes, and
  *
- * | array (association)             | tuples x components | meaning                    | unit     |
- * |---------------------------------|---------------------|----------------------------|----------|
- * | `ManifoldHarmonics` (point)     | n x m               | H^k, component 0 is H^1    | 1/length |
- * | `VertexMass` (point)            | n x 1               | lumped mass D of the point's vertex |
- * length^2 | | `Eigenvalues` (field)           | m x 1               | lambda_k, ascending        |
- * 1/length^2 | | `Spectrum` (field)              | m x 3               | x~, y~, z~ (eq. 6) |
- * length^2 | | `SpectrumMagnitude` (field)     | m x 1               | c (eq. 9)                  |
- * length^2 | | `Residuals` (field)             | m x 1               | see Tolerance              |
- * none     |
+ * | array               | data  | tuples x components | meaning                      | unit       |
+ * |---------------------|-------|---------------------|------------------------------|------------|
+ * | `ManifoldHarmonics` | point | n x m               | H^k, component 0 is H^1      | 1/length   |
+ * | `VertexMass`        | point | n x 1               | lumped mass D of its vertex  | length^2   |
+ * | `Eigenvalues`       | field | m x 1               | lambda_k, ascending          | 1/length^2 |
+ * | `Spectrum`          | field | m x 3               | x~, y~, z~ (eq. 6)           | length^2   |
+ * | `SpectrumMagnitude` | field | m x 1               | c (eq. 9)                    | length^2   |
+ * | `Residuals`         | field | m x 1               | relative, see Tolerance      | none       |
  *
  * All are double. Downstream, vtkSpectralWatermarkEmbed, vtkSpectralWatermarkDetect,
  * vtkManifoldHarmonicsReconstruction and vtkMeshAttack find the basis in these arrays and use it

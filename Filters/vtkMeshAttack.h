@@ -3,15 +3,14 @@
  * @class   vtkMeshAttack
  * @brief   What people and software do to a mesh, to see whether a mark survives it
  *
- * | Attack             | what it does                                     | parameters |
- * |--------------------|--------------------------------------------------|------------------------|
- * | Rotation           | turns the mesh about an axis through the origin  | RotationAxis,
- * RotationAngle | | UniformScaling     | multiplies all coordinates                       |
- * ScaleFactor            | | Translation        | adds a vector | TranslationVector      | |
- * NoiseAlongNormals  | v + s N(0, 1) e n(v) (paper, 3.3.3)              | NoiseFactor, Seed      |
- * | SpectralSmoothing  | damps high harmonics (paper, 3.3.4)              | NumberOfHarmonics,
- * CutoffComponent, SmoothingGain, KeepResidual | | Simplification     | quadric edge collapse
- * (vtkQuadricDecimation)     | SimplificationPercent  |
+ * | Attack            | what it does                                    | parameters          |
+ * |-------------------|-------------------------------------------------|---------------------|
+ * | Rotation          | turns the mesh about an axis through the origin | RotationAxis, RotationAngle |
+ * | UniformScaling    | multiplies all coordinates                      | ScaleFactor         |
+ * | Translation       | adds a vector                                   | TranslationVector   |
+ * | NoiseAlongNormals | v + s N(0, 1) e n(v) (paper, 3.3.3)             | NoiseFactor, Seed   |
+ * | SpectralSmoothing | damps high harmonics (paper, 3.3.4)             | NumberOfHarmonics, CutoffComponent, SmoothingGain, KeepResidual |
+ * | Simplification    | quadric edge collapse (vtkQuadricDecimation)    | SimplificationPercent |
  *
  * Deterministic: the same input and parameters give the same output, whatever the number of
  * threads. Noise depends on (Seed, vertex) alone.
