@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the README shows runs as it stands there."""
+
+import contextlib
+import io
+import os
+import re
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+class ReadmeTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.addCleanup(os.chdir, Path.cwd())
+        (Path(folder.name) / "Data").symlink_to(ROOT / "Data")
+        os.chdir(folder.name)
+
+    def test_python_blocks_run_one_after_the_other(self):
+        blocks = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
+        self.assertGreaterEqual(len(blocks), 2)
+        names = {}
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            for block in blocks:
+                exec(block, names)  # pylint: disable=exec-used
+        self.assertIn("reads 10110", printed.getvalue())
+        self.assertEqual(names["basis"].shape[1], 100)
+
+    def test_every_linked_file_exists(self):
+        for page in ROOT.rglob("*.md"):
+            if "build" in page.relative_to(ROOT).parts:
+                continue
+            for target in re.findall(r"\]\(([^)#:]+)\)", page.read_text()):
+                self.assertTrue((page.parent / target).exists(), f"{page}: {target}")
+
+
+if __name__ == "__main__":
+    unittest.main()
