@@ -22,27 +22,6 @@ vtkManifoldHarmonicsReconstruction::~vtkManifoldHarmonicsReconstruction() = defa
 namespace
 {
 
-// The input's basis under either mass matrix, or one of `count` harmonics computed here.
-sw::ManifoldHarmonics BasisFor(vtkPolyData* input, const char* name, const sw::PolyDataMesh& mesh,
-  sw::Index count, const sw::Progress& progress, int& eigensolves)
-{
-  for (const sw::MassMatrix mass : { sw::MassMatrix::Lumped, sw::MassMatrix::Consistent })
-  {
-    std::optional<sw::ManifoldHarmonics> found = sw::FindHarmonics(input, name, mesh, mass, count);
-    if (found)
-    {
-      return *std::move(found);
-    }
-  }
-  if (count == 0)
-  {
-    throw sw::InvalidInput(std::string("the input carries no basis \"") + name +
-      "\" that fits its geometry: put vtkManifoldHarmonics before this filter, or set "
-      "NumberOfHarmonics to have one computed");
-  }
-  return sw::FindOrComputeHarmonics(input, mesh, count, progress, eigensolves);
-}
-
 Eigen::VectorXd GainVector(const std::map<int, double>& gains, sw::Index count)
 {
   Eigen::VectorXd vector = Eigen::VectorXd::Ones(count);
@@ -105,8 +84,9 @@ int vtkManifoldHarmonicsReconstruction::RequestData(vtkInformation*, vtkInformat
       vtkPolyData* output = vtkPolyData::GetData(outputs);
       this->NumberOfEigensolves = 0;
       const sw::PolyDataMesh mesh = sw::ToMesh(input);
-      const sw::ManifoldHarmonics harmonics = BasisFor(input, this->GetArrayName(), mesh,
-        this->NumberOfHarmonics, sw::ProgressOf(this), this->NumberOfEigensolves);
+      const sw::ManifoldHarmonics harmonics =
+        sw::FindAnyOrComputeHarmonics(input, this->GetArrayName(), mesh, this->NumberOfHarmonics,
+          sw::ProgressOf(this), this->NumberOfEigensolves);
 
       const sw::TriangleMesh::PointMatrix points = sw::FilterPoints(harmonics, mesh.Mesh.Points,
         GainVector(this->Gains, harmonics.Count()), this->KeepResidual);

@@ -2,12 +2,13 @@
 #include "vtkSpectralWatermarkAlgorithm.h"
 
 #include "Core/Errors.h"
+#include "Core/SecretKey.h"
 #include "Core/SlotWatermark.h"
 
 #include <vtkInformation.h>
 #include <vtkTable.h>
 
-#include <string>
+#include <fstream>
 
 namespace sw = spectralwatermark;
 
@@ -16,7 +17,72 @@ vtkSpectralWatermarkAlgorithm::vtkSpectralWatermarkAlgorithm()
   this->SetNumberOfOutputPorts(2);
 }
 
-vtkSpectralWatermarkAlgorithm::~vtkSpectralWatermarkAlgorithm() = default;
+vtkSpectralWatermarkAlgorithm::~vtkSpectralWatermarkAlgorithm()
+{
+  sw::Wipe(this->SecretKey);
+}
+
+namespace
+{
+
+std::string SecretInFile(const std::string& path)
+{
+  constexpr std::streamsize limit = 1 << 20;
+  std::ifstream file(path, std::ios::binary);
+  std::string secret(static_cast<std::size_t>(limit) + 1, '\0');
+  file.read(secret.data(), limit + 1);
+  const std::streamsize size = file.gcount();
+  if (!file.is_open() || file.bad() || (size == 0 && !file.eof()))
+  {
+    throw sw::InvalidInput(
+      "the key file \"" + path + "\" cannot be read: check its path and permissions");
+  }
+  if (size > limit)
+  {
+    throw sw::InvalidInput("the key file \"" + path + "\" is over 1 MiB: is it the right file?");
+  }
+  secret.resize(static_cast<std::size_t>(size));
+  for (const char ending : { '\n', '\r' })
+  {
+    if (!secret.empty() && secret.back() == ending)
+    {
+      secret.pop_back();
+    }
+  }
+  if (secret.empty())
+  {
+    throw sw::InvalidInput("the key file \"" + path + "\" is empty");
+  }
+  return secret;
+}
+
+} // namespace
+
+void vtkSpectralWatermarkAlgorithm::SetSecretKey(const char* secret)
+{
+  const char* wanted = secret != nullptr ? secret : "";
+  if (this->SecretKey != wanted)
+  {
+    sw::Wipe(this->SecretKey);
+    this->SecretKey = wanted;
+    this->Modified();
+  }
+}
+
+void vtkSpectralWatermarkAlgorithm::SetSecretKeyFile(const char* path)
+{
+  const char* wanted = path != nullptr ? path : "";
+  if (this->SecretKeyFile != wanted)
+  {
+    this->SecretKeyFile = wanted;
+    this->Modified();
+  }
+}
+
+int vtkSpectralWatermarkAlgorithm::GetHasSecretKey() const
+{
+  return this->SecretKey.empty() && this->SecretKeyFile.empty() ? 0 : 1;
+}
 
 const char* vtkSpectralWatermarkAlgorithm::GetSchemeAsString() const
 {
@@ -38,17 +104,49 @@ int vtkSpectralWatermarkAlgorithm::FillOutputPortInformation(int port, vtkInform
   return 1;
 }
 
-void vtkSpectralWatermarkAlgorithm::GetSlotOptions(sw::SlotOptions& options) const
+const char* vtkSpectralWatermarkAlgorithm::GetBitEmbeddingAsString() const
+{
+  return this->BitEmbedding == Aggressive ? "Aggressive" : "NonAggressive";
+}
+
+std::unique_ptr<sw::SecretKey> vtkSpectralWatermarkAlgorithm::ReadSecretKey() const
+{
+  if (!this->SecretKey.empty() && !this->SecretKeyFile.empty())
+  {
+    throw sw::InvalidInput("SecretKey and SecretKeyFile are both set: leave one of them empty");
+  }
+  if (!this->SecretKeyFile.empty())
+  {
+    std::string secret = SecretInFile(this->SecretKeyFile);
+    auto key = std::make_unique<sw::SecretKey>(secret);
+    sw::Wipe(secret);
+    return key;
+  }
+  return this->SecretKey.empty() ? nullptr : std::make_unique<sw::SecretKey>(this->SecretKey);
+}
+
+sw::SlotOptions vtkSpectralWatermarkAlgorithm::GetSlotOptions(const sw::SecretKey* key,
+  long long bits) const
 {
   if (this->Scheme != PaperSlots)
   {
     throw sw::InvalidInput(
       "scheme " + std::to_string(this->Scheme) + " is unknown: this version has PaperSlots (0)");
   }
+  sw::SlotOptions options;
   options.FirstComponent = this->FirstComponent;
   options.SlotSize = this->SlotSize;
   options.CarrierPosition = this->CarrierPosition;
   options.Division = static_cast<sw::SlotDivision>(this->SlotDivision);
+  options.Embedding = static_cast<sw::BitEmbedding>(this->BitEmbedding);
+  options.TurbulenceFactor = this->TurbulenceFactor;
+  sw::CheckSlots(options, bits);
+  if (key != nullptr)
+  {
+    options.KeyedPositions = key->CarrierPositions(bits, this->SlotSize);
+    options.Keystream = key->Keystream(bits);
+  }
+  return options;
 }
 
 void vtkSpectralWatermarkAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
@@ -59,4 +157,9 @@ void vtkSpectralWatermarkAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FirstComponent: " << this->FirstComponent << "\n";
   os << indent << "SlotSize: " << this->SlotSize << "\n";
   os << indent << "CarrierPosition: " << this->CarrierPosition << "\n";
+  os << indent << "BitEmbedding: " << this->GetBitEmbeddingAsString() << "\n";
+  os << indent << "TurbulenceFactor: " << this->TurbulenceFactor << "\n";
+  os << indent << "NumberOfBits: " << this->NumberOfBits << "\n";
+  os << indent << "HasSecretKey: " << this->GetHasSecretKey() << "\n";
+  os << indent << "SecretKeyFile: " << this->SecretKeyFile << "\n";
 }

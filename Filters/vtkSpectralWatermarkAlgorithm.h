@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSpectralWatermarkAlgorithm
- * @brief   What embedding and detection must agree on: scheme, slots and carriers
+ * @brief   What embedding and detection must agree on: scheme, slots, carriers and secret
  *
  * Superclass of vtkSpectralWatermarkEmbed and vtkSpectralWatermarkDetect. A mark is read with the
  * properties it was embedded with.
@@ -9,6 +9,16 @@
  * Scheme PaperSlots (paper, 2.2.3 and 3.2.1): bit i lives in slot i, the SlotSize components from
  * FirstComponent + i SlotSize on. In each slot one component, the carrier, is compared with the
  * average of reference components around it.
+ *
+ * With a secret key (SecretKey or SecretKeyFile), the carrier's place in each slot is drawn from
+ * the key, uniformly from positions 2 to SlotSize - 1, and the message is whitened with a
+ * keystream: slot i holds the bit k_i xor a fair coin of the key. Whoever has another key, or none,
+ * reads coin flips. Positions, keystream and derived messages come from libsodium's BLAKE2b and
+ * ChaCha20 and are the same on every platform and in every version.
+ *
+ * @warning
+ * A secret that can be guessed can be tried out on a marked mesh: make it random, for example with
+ * `head -c 32 /dev/urandom | base64 > my.key`.
  *
  * @sa
  * vtkSpectralWatermarkEmbed vtkSpectralWatermarkDetect
@@ -19,10 +29,14 @@
 #include "vtkFiltersSpectralWatermarkModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // for std::unique_ptr
+#include <string> // for SecretKey
+
 namespace spectralwatermark
 {
+class SecretKey;
 struct SlotOptions;
-}
+} // namespace spectralwatermark
 
 class VTKFILTERSSPECTRALWATERMARK_EXPORT vtkSpectralWatermarkAlgorithm : public vtkPolyDataAlgorithm
 {
@@ -91,10 +105,71 @@ public:
   ///@{
   /**
    * Set/Get the carrier's place in its slot, 1-based. Default 5; 2 to SlotSize - 1, anything else
-   * is an error when the filter runs.
+   * is an error when the filter runs. A secret key decides instead when there is one.
    */
   vtkSetMacro(CarrierPosition, int);
   vtkGetMacro(CarrierPosition, int);
+  ///@}
+
+  /**
+   * Bit embeddings. Aggressive (eq. 10): every carrier ends at least TurbulenceFactor deviations
+   * from the average. NonAggressive (eq. 11): carriers already on their side stay.
+   */
+  enum BitEmbeddingType
+  {
+    Aggressive = 0,
+    NonAggressive = 1
+  };
+
+  ///@{
+  /**
+   * Set/Get when a carrier is changed. Default Aggressive. Detection uses it only to weigh what it
+   * sees (see vtkSpectralWatermarkDetect::SetDetector()).
+   */
+  vtkSetClampMacro(BitEmbedding, int, Aggressive, NonAggressive);
+  vtkGetMacro(BitEmbedding, int);
+  void SetBitEmbeddingToAggressive() { this->SetBitEmbedding(Aggressive); }
+  void SetBitEmbeddingToNonAggressive() { this->SetBitEmbedding(NonAggressive); }
+  const char* GetBitEmbeddingAsString() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the paper's s: how many deviations of the references lie between a changed carrier
+   * and their average. More is more robust and more visible. Default 1, from 0 to 1000. A target
+   * below 0 becomes 0. Detection uses it only to weigh what it sees.
+   */
+  vtkSetClampMacro(TurbulenceFactor, double, 0.0, 1000.0);
+  vtkGetMacro(TurbulenceFactor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how many bits: those to read, and those of a message derived from the secret key.
+   * Default 5, at least 1. A message that is given decides instead.
+   */
+  vtkSetClampMacro(NumberOfBits, int, 1, 1000000);
+  vtkGetMacro(NumberOfBits, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set the secret key, any text; "" or nullptr for none, the default: carriers are then at
+   * CarrierPosition and nothing is whitened. There is no getter, and nothing prints it:
+   * GetHasSecretKey() tells whether there is one, here or in SecretKeyFile.
+   */
+  void SetSecretKey(const char* secret);
+  int GetHasSecretKey() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get a file that holds the secret key, read whenever the filter runs: all of its bytes but
+   * one line break at the end, at most 1 MiB. Default "": none. A file that cannot be read or is
+   * empty is an error when the filter runs, and so is setting both SecretKey and SecretKeyFile.
+   */
+  void SetSecretKeyFile(const char* path);
+  const char* GetSecretKeyFile() const { return this->SecretKeyFile.c_str(); }
   ///@}
 
 protected:
@@ -104,9 +179,17 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
 
   /**
-   * The properties above for the Core; throws when the scheme is unknown.
+   * The secret key, from where it was set; nullptr when there is none. Throws when its file cannot
+   * be used.
    */
-  void GetSlotOptions(spectralwatermark::SlotOptions& options) const;
+  std::unique_ptr<spectralwatermark::SecretKey> ReadSecretKey() const;
+
+  /**
+   * The properties above for the Core, checked for this many bits; throws when they contradict
+   * each other or the scheme is unknown.
+   */
+  spectralwatermark::SlotOptions GetSlotOptions(const spectralwatermark::SecretKey* key,
+    long long bits) const;
 
 private:
   vtkSpectralWatermarkAlgorithm(const vtkSpectralWatermarkAlgorithm&) = delete;
@@ -117,6 +200,11 @@ private:
   int FirstComponent = 21;
   int SlotSize = 10;
   int CarrierPosition = 5;
+  int BitEmbedding = Aggressive;
+  double TurbulenceFactor = 1.0;
+  int NumberOfBits = 5;
+  std::string SecretKey;
+  std::string SecretKeyFile;
 };
 
 #endif

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpectralWatermarkDetect.h"
 
-#include "Core/SlotWatermark.h"
+#include "Core/Detection.h"
+#include "Core/Errors.h"
+#include "Core/SecretKey.h"
 #include "Private/FilterRun.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
@@ -28,6 +30,11 @@ void vtkSpectralWatermarkDetect::SetExpectedMessage(const char* message)
   }
 }
 
+const char* vtkSpectralWatermarkDetect::GetDetectorAsString() const
+{
+  return this->Detector == HardDecisions ? "HardDecisions" : "Likelihood";
+}
+
 int vtkSpectralWatermarkDetect::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
@@ -38,13 +45,11 @@ int vtkSpectralWatermarkDetect::RequestData(vtkInformation*, vtkInformationVecto
       vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
       const sw::PolyDataMesh mesh = sw::ToMesh(input);
 
-      sw::SlotOptions slots;
-      this->GetSlotOptions(slots);
-      sw::CheckMessage(this->ExpectedMessage);
-      const sw::Index bits = this->ExpectedMessage.empty()
-        ? this->NumberOfBits
-        : static_cast<sw::Index>(this->ExpectedMessage.size());
-      sw::CheckSlots(slots, bits);
+      const std::unique_ptr<sw::SecretKey> key = this->ReadSecretKey();
+      const std::string wanted = this->WantedMessage(key.get());
+      const sw::Index bits =
+        wanted.empty() ? this->GetNumberOfBits() : static_cast<sw::Index>(wanted.size());
+      const sw::SlotOptions slots = this->GetSlotOptions(key.get(), bits);
       sw::CheckCapacity(slots, bits, mesh.Mesh.NumberOfVertices());
 
       const sw::ManifoldHarmonics harmonics = sw::FindOrComputeHarmonics(input, mesh,
@@ -54,9 +59,12 @@ int vtkSpectralWatermarkDetect::RequestData(vtkInformation*, vtkInformationVecto
         sw::Magnitudes(sw::ForwardTransform(harmonics, mesh.Mesh.Points)), slots, bits);
 
       vtkPolyData::GetData(outputs, 0)->ShallowCopy(input);
-      sw::FillDetectionTable(vtkTable::GetData(outputs, 1), readings);
+      sw::FillDetectionTable(vtkTable::GetData(outputs, 1), readings, slots);
       this->ExtractedMessage = sw::MessageOf(readings);
-      this->CompareWithExpected();
+      if (!wanted.empty())
+      {
+        this->Compare(readings, slots, wanted);
+      }
     });
 }
 
@@ -66,28 +74,49 @@ void vtkSpectralWatermarkDetect::ResetResults()
   this->BitErrorRate = -1.0;
   this->Correlation = 0.0;
   this->PValue = 1.0;
+  this->LogLikelihoodRatio = 0.0;
   this->Detected = 0;
   this->NumberOfEigensolves = 0;
 }
 
-void vtkSpectralWatermarkDetect::CompareWithExpected()
+std::string vtkSpectralWatermarkDetect::WantedMessage(const sw::SecretKey* key)
 {
-  if (this->ExpectedMessage.empty())
+  if (!this->UseDerivedMessage)
   {
-    return;
+    sw::CheckMessage(this->ExpectedMessage);
+    return this->ExpectedMessage;
   }
-  const auto bits = static_cast<sw::Index>(this->ExpectedMessage.size());
-  const sw::Index agreements = sw::CountAgreements(this->ExtractedMessage, this->ExpectedMessage);
-  this->BitErrorRate = 1.0 - static_cast<double>(agreements) / static_cast<double>(bits);
-  this->Correlation = 1.0 - 2.0 * this->BitErrorRate;
-  this->PValue = sw::AgreementPValue(agreements, bits);
-  this->Detected = this->PValue <= this->FalsePositiveRate ? 1 : 0;
-  const double reachable = sw::AgreementPValue(bits, bits);
-  if (reachable > this->FalsePositiveRate)
+  if (key == nullptr)
   {
-    vtkWarningMacro(<< bits << " bits cannot prove a mark at a false positive rate of "
+    throw sw::InvalidInput(
+      "UseDerivedMessage needs a secret key to derive from: set SecretKey or SecretKeyFile");
+  }
+  if (!this->ExpectedMessage.empty())
+  {
+    throw sw::InvalidInput(
+      "UseDerivedMessage and ExpectedMessage are both set: only one message can be looked for");
+  }
+  return key->Message(this->GetNumberOfBits());
+}
+
+void vtkSpectralWatermarkDetect::Compare(const std::vector<sw::SlotReading>& readings,
+  const sw::SlotOptions& slots, const std::string& wanted)
+{
+  const sw::Index agreements = sw::CountAgreements(this->ExtractedMessage, wanted);
+  this->BitErrorRate = 1.0 - static_cast<double>(agreements) / static_cast<double>(wanted.size());
+  this->Correlation = 1.0 - 2.0 * this->BitErrorRate;
+  this->LogLikelihoodRatio = sw::LogLikelihoodRatio(readings, slots, wanted);
+  const sw::UnmarkedModel unmarked = sw::UnmarkedModelOf(slots);
+  this->PValue = this->Detector == Likelihood
+    ? sw::WeightedAgreementPValue(readings, slots, wanted)
+    : sw::AgreementPValue(this->ExtractedMessage, wanted, unmarked);
+  this->Detected = this->PValue <= this->FalsePositiveRate ? 1 : 0;
+  const double smallest = sw::AgreementPValue(wanted, wanted, unmarked);
+  if (smallest > this->FalsePositiveRate)
+  {
+    vtkWarningMacro(<< wanted.size() << " bits cannot prove a mark at a false positive rate of "
                     << this->FalsePositiveRate << ": even full agreement happens by chance with "
-                    << "probability " << reachable
+                    << "probability " << smallest
                     << ". Embed more bits, or raise FalsePositiveRate");
   }
 }
@@ -95,14 +124,16 @@ void vtkSpectralWatermarkDetect::CompareWithExpected()
 void vtkSpectralWatermarkDetect::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfBits: " << this->NumberOfBits << "\n";
   os << indent << "ExpectedMessage: " << this->ExpectedMessage << "\n";
+  os << indent << "UseDerivedMessage: " << this->UseDerivedMessage << "\n";
+  os << indent << "Detector: " << this->GetDetectorAsString() << "\n";
   os << indent << "FalsePositiveRate: " << this->FalsePositiveRate << "\n";
   os << indent << "ExtractedMessage: " << this->ExtractedMessage << "\n";
   os << indent << "MessageIsValid: " << this->MessageIsValid << "\n";
   os << indent << "BitErrorRate: " << this->BitErrorRate << "\n";
   os << indent << "Correlation: " << this->Correlation << "\n";
   os << indent << "PValue: " << this->PValue << "\n";
+  os << indent << "LogLikelihoodRatio: " << this->LogLikelihoodRatio << "\n";
   os << indent << "Detected: " << this->Detected << "\n";
   os << indent << "NumberOfEigensolves: " << this->NumberOfEigensolves << "\n";
 }

@@ -3,6 +3,7 @@
 
 #include "Core/Distortion.h"
 #include "Core/IterativeEmbedding.h"
+#include "Core/SecretKey.h"
 #include "Private/FilterRun.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
@@ -31,11 +32,6 @@ void vtkSpectralWatermarkEmbed::SetMessage(const char* message)
   }
 }
 
-const char* vtkSpectralWatermarkEmbed::GetBitEmbeddingAsString() const
-{
-  return this->BitEmbedding == Aggressive ? "Aggressive" : "NonAggressive";
-}
-
 int vtkSpectralWatermarkEmbed::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
@@ -47,17 +43,17 @@ int vtkSpectralWatermarkEmbed::RequestData(vtkInformation*, vtkInformationVector
       vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
       const sw::PolyDataMesh mesh = sw::ToMesh(input);
 
+      const std::unique_ptr<sw::SecretKey> key = this->ReadSecretKey();
       sw::EmbeddingOptions options;
-      this->GetSlotOptions(options.Slots);
-      options.Slots.Embedding = static_cast<sw::BitEmbedding>(this->BitEmbedding);
-      options.Slots.TurbulenceFactor = this->TurbulenceFactor;
-      options.Message = this->Message;
+      options.Message =
+        this->Message.empty() && key ? key->Message(this->GetNumberOfBits()) : this->Message;
+      const auto bits = static_cast<sw::Index>(options.Message.size());
+      options.Slots = this->GetSlotOptions(key.get(), bits);
       options.RequiredBits = this->RequiredBits;
       options.MaximumIterations = this->MaximumNumberOfIterations;
       options.RoundToFloat = sw::StoresFloat(input, this->OutputPointsPrecision);
 
-      const sw::Index needed =
-        sw::ComponentsNeeded(options.Slots, static_cast<sw::Index>(this->Message.size()));
+      const sw::Index needed = sw::ComponentsNeeded(options.Slots, bits);
       const sw::EmbeddingResult result = sw::EmbedMessage(mesh.Mesh, options,
         sw::FindHarmonics(input, sw::DefaultBasisName, mesh, sw::MassMatrix::Lumped, needed),
         sw::ProgressOf(this));
@@ -68,13 +64,13 @@ int vtkSpectralWatermarkEmbed::RequestData(vtkInformation*, vtkInformationVector
       output->GetPointData()->AddArray(sw::ToPointArray("GeometricDistortion", mesh,
         sw::GeometricDifference(mesh.Mesh.Points, result.Points) /
           sw::BoundingBoxDiagonal(mesh.Mesh.Points)));
-      sw::FillEmbeddingTable(vtkTable::GetData(outputs, 1), result.History, this->Message);
+      sw::FillEmbeddingTable(vtkTable::GetData(outputs, 1), result.History, options.Message);
 
       this->Converged = result.Converged ? 1 : 0;
       this->NumberOfIterationsUsed = static_cast<int>(result.Iterations);
       this->NumberOfEigensolves = static_cast<int>(result.Eigensolves);
       this->ExtractedMessage = result.ExtractedMessage;
-      this->WarnUnlessConverged();
+      this->WarnUnlessConverged(options.Message);
     });
 }
 
@@ -86,13 +82,13 @@ void vtkSpectralWatermarkEmbed::ResetResults()
   this->ExtractedMessage.clear();
 }
 
-void vtkSpectralWatermarkEmbed::WarnUnlessConverged()
+void vtkSpectralWatermarkEmbed::WarnUnlessConverged(const std::string& wanted)
 {
   if (!this->Converged)
   {
     vtkWarningMacro("embedding did not converge in "
       << this->MaximumNumberOfIterations << " iterations: the output reads "
-      << this->ExtractedMessage << ", wanted " << this->Message
+      << this->ExtractedMessage << ", wanted " << wanted
       << ". Try another TurbulenceFactor, SlotDivision or FirstComponent, or more iterations");
   }
 }
@@ -101,8 +97,6 @@ void vtkSpectralWatermarkEmbed::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Message: " << this->Message << "\n";
-  os << indent << "BitEmbedding: " << this->GetBitEmbeddingAsString() << "\n";
-  os << indent << "TurbulenceFactor: " << this->TurbulenceFactor << "\n";
   os << indent << "RequiredBits: " << this->RequiredBits << "\n";
   os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";

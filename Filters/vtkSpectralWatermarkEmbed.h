@@ -25,7 +25,8 @@
  * so. This is no error: narrow slots and symmetric models often need a larger TurbulenceFactor.
  *
  * Errors (vtkErrorMacro, an error code, empty outputs): as for vtkManifoldHarmonics; an empty
- * message, or one with characters other than 0 and 1; more bits than the mesh can carry; slots
+ * message without a secret key, or one with characters other than 0 and 1; a key file that cannot
+ * be used; more bits than the mesh can carry; slots
  * that contradict each other or reach into the constant harmonics.
  *
  * @code{.cpp}
@@ -57,41 +58,11 @@ public:
   ///@{
   /**
    * Set/Get the bits to embed (the paper's "key"), a string of 0 and 1. Default "10110". n bits
-   * need FirstComponent - 1 + n SlotSize harmonics.
+   * need FirstComponent - 1 + n SlotSize harmonics. Empty with a secret key: NumberOfBits bits
+   * derived from the key, so that there is nothing else to remember. Empty without one: an error.
    */
   void SetMessage(const char* message);
   const char* GetMessage() const { return this->Message.c_str(); }
-  ///@}
-
-  /**
-   * Bit embeddings. Aggressive (eq. 10): every carrier ends at least TurbulenceFactor deviations
-   * from the average. NonAggressive (eq. 11): carriers already on their side stay.
-   */
-  enum BitEmbeddingType
-  {
-    Aggressive = 0,
-    NonAggressive = 1
-  };
-
-  ///@{
-  /**
-   * Set/Get when a carrier is changed. Default Aggressive.
-   */
-  vtkSetClampMacro(BitEmbedding, int, Aggressive, NonAggressive);
-  vtkGetMacro(BitEmbedding, int);
-  void SetBitEmbeddingToAggressive() { this->SetBitEmbedding(Aggressive); }
-  void SetBitEmbeddingToNonAggressive() { this->SetBitEmbedding(NonAggressive); }
-  const char* GetBitEmbeddingAsString() const;
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the paper's s: how many deviations of the references lie between a changed carrier
-   * and their average. More is more robust and more visible. Default 1, from 0 to 1000. A target
-   * below 0 becomes 0.
-   */
-  vtkSetClampMacro(TurbulenceFactor, double, 0.0, 1000.0);
-  vtkGetMacro(TurbulenceFactor, double);
   ///@}
 
   ///@{
@@ -153,11 +124,9 @@ private:
   void operator=(const vtkSpectralWatermarkEmbed&) = delete;
 
   void ResetResults();
-  void WarnUnlessConverged();
+  void WarnUnlessConverged(const std::string& wanted);
 
   std::string Message = "10110";
-  int BitEmbedding = Aggressive;
-  double TurbulenceFactor = 1.0;
   int RequiredBits = 0;
   int MaximumNumberOfIterations = 20;
   int OutputPointsPrecision = DEFAULT_PRECISION;

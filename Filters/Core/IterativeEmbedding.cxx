@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IterativeEmbedding.h"
 
+#include "Detection.h"
 #include "Errors.h"
 
 #include <cmath>

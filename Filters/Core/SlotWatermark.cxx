@@ -17,16 +17,22 @@ Index ComponentAt(const SlotOptions& options, Index slot, Index position)
   return options.FirstComponent + slot * options.SlotSize + position - 1;
 }
 
-std::vector<Index> ReferencePositions(const SlotOptions& options)
+Index CarrierPosition(const SlotOptions& options, Index slot)
+{
+  return options.KeyedPositions.empty() ? options.CarrierPosition
+                                        : options.KeyedPositions[static_cast<std::size_t>(slot)];
+}
+
+std::vector<Index> ReferencePositions(const SlotOptions& options, Index carrier)
 {
   if (options.Division == SlotDivision::InterleavedNarrow)
   {
-    return { options.CarrierPosition - 1, options.CarrierPosition + 1 };
+    return { carrier - 1, carrier + 1 };
   }
   std::vector<Index> positions;
   for (Index position = 1; position < options.SlotSize; ++position)
   {
-    if (position != options.CarrierPosition)
+    if (position != carrier)
     {
       positions.push_back(position);
     }
@@ -38,7 +44,8 @@ std::vector<Index> ReferencePositions(const SlotOptions& options)
 
 double SlotReading::Margin() const
 {
-  return this->Deviation > 0.0 ? (this->Magnitude - this->Average) / this->Deviation : 0.0;
+  const double side = this->Inverted ? -1.0 : 1.0;
+  return this->Deviation > 0.0 ? side * (this->Magnitude - this->Average) / this->Deviation : 0.0;
 }
 
 Index ComponentsNeeded(const SlotOptions& options, Index bits)
@@ -50,7 +57,9 @@ void CheckSlots(const SlotOptions& options, Index bits)
 {
   if (bits < 1)
   {
-    throw InvalidInput("the message is empty: set at least one bit, such as \"10110\"");
+    throw InvalidInput(
+      "the message is empty: set at least one bit, such as \"10110\", or a secret key "
+      "to derive one from");
   }
   if (options.SlotSize < 4)
   {
@@ -114,13 +123,16 @@ void CheckMessage(const std::string& message)
 std::vector<SlotReading> ReadSlots(const Eigen::VectorXd& magnitudes, const SlotOptions& options,
   Index bits)
 {
-  const std::vector<Index> references = ReferencePositions(options);
-  const double count = static_cast<double>(references.size());
   std::vector<SlotReading> readings;
   for (Index slot = 0; slot < bits; ++slot)
   {
+    const Index carrier = CarrierPosition(options, slot);
+    const std::vector<Index> references = ReferencePositions(options, carrier);
+    const double count = static_cast<double>(references.size());
     SlotReading reading;
-    reading.Component = ComponentAt(options, slot, options.CarrierPosition);
+    reading.Component = ComponentAt(options, slot, carrier);
+    reading.Inverted =
+      !options.Keystream.empty() && options.Keystream[static_cast<std::size_t>(slot)] == '1';
     reading.Magnitude = magnitudes[reading.Component - 1];
     for (const Index position : references)
     {
@@ -151,7 +163,7 @@ std::string MessageOf(const std::vector<SlotReading>& readings)
 
 double TargetMagnitude(const SlotReading& reading, int bit, const SlotOptions& options)
 {
-  const double side = bit == 1 ? 1.0 : -1.0;
+  const double side = (bit == 1) != reading.Inverted ? 1.0 : -1.0;
   const double distance = options.TurbulenceFactor * reading.Deviation;
   const double target = std::max(0.0, reading.Average + side * distance);
   const double threshold = options.Embedding == BitEmbedding::Aggressive ? target : reading.Average;
@@ -174,29 +186,6 @@ Spectrum SpectrumChange(const Spectrum& spectrum, const std::vector<SlotReading>
     change.row(reading.Component - 1) = (target - reading.Magnitude) * direction;
   }
   return change;
-}
-
-Index CountAgreements(const std::string& a, const std::string& b)
-{
-  Index agreements = 0;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-  {
-    agreements += a[i] == b[i] ? 1 : 0;
-  }
-  return agreements;
-}
-
-double AgreementPValue(Index agreements, Index bits)
-{
-  const double n = static_cast<double>(bits);
-  double sum = 0.0;
-  for (Index k = bits; k >= std::max<Index>(agreements, 0); --k) // smallest terms first
-  {
-    const double i = static_cast<double>(k);
-    sum += std::exp(
-      std::lgamma(n + 1.0) - std::lgamma(i + 1.0) - std::lgamma(n - i + 1.0) - n * std::log(2.0));
-  }
-  return std::min(1.0, sum);
 }
 
 } // namespace spectralwatermark

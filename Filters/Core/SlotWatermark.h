@@ -31,6 +31,10 @@ struct SlotOptions
   SlotDivision Division = SlotDivision::Normal;
   BitEmbedding Embedding = BitEmbedding::Aggressive;
   double TurbulenceFactor = 1.0; ///< s: distance from the average, in deviations
+  /// With a secret key: each slot's carrier position, in place of CarrierPosition, and a bit for
+  /// each slot, 1 where it holds the opposite of its message bit. Both at least as many as slots.
+  std::vector<Index> KeyedPositions;
+  std::string Keystream;
 };
 
 /// What one slot shows.
@@ -40,11 +44,13 @@ struct SlotReading
   double Magnitude = 0.0; ///< c, eq. 9
   double Average = 0.0;   ///< a, of the references' magnitudes
   double Deviation = 0.0; ///< d, their population standard deviation
+  bool Inverted = false;  ///< a secret key's keystream has the slot hold the opposite of its bit
 
-  /// Eq. 12; c = a reads 0.
-  int Bit() const { return this->Magnitude > this->Average ? 1 : 0; }
+  /// Eq. 12, with the keystream undone; c = a is below a.
+  int Bit() const { return (this->Magnitude > this->Average) != this->Inverted ? 1 : 0; }
 
-  /// (c - a) / d: positive for a 1, negative for a 0; 0 where d is 0.
+  /// (c - a) / d, with the opposite sign where Inverted: positive for a 1, negative for a 0; 0
+  /// where d is 0.
   double Margin() const;
 };
 
@@ -78,12 +84,6 @@ double TargetMagnitude(const SlotReading& reading, int bit, const SlotOptions& o
 /// keep their direction. A carrier of magnitude 0 gets the direction (1, 1, 1).
 Spectrum SpectrumChange(const Spectrum& spectrum, const std::vector<SlotReading>& readings,
   const std::string& message, const SlotOptions& options);
-
-/// Positions where two messages of the same length agree.
-Index CountAgreements(const std::string& a, const std::string& b);
-
-/// P(at least `agreements` of `bits` fair coins agree with a given message).
-double AgreementPValue(Index agreements, Index bits);
 
 } // namespace spectralwatermark
 

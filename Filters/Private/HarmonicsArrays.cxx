@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/HarmonicsArrays.h"
 
+#include "Core/Errors.h"
+
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+
+#include <string>
 
 namespace spectralwatermark
 {
@@ -105,6 +109,26 @@ ManifoldHarmonics FindOrComputeHarmonics(vtkPolyData* input, const PolyDataMesh&
   HarmonicsOptions options;
   options.Count = count;
   return ComputeManifoldHarmonics(mesh.Mesh, options, progress);
+}
+
+ManifoldHarmonics FindAnyOrComputeHarmonics(vtkPolyData* input, const char* basisName,
+  const PolyDataMesh& mesh, Index count, const Progress& progress, int& eigensolves)
+{
+  for (const MassMatrix mass : { MassMatrix::Lumped, MassMatrix::Consistent })
+  {
+    std::optional<ManifoldHarmonics> found = FindHarmonics(input, basisName, mesh, mass, count);
+    if (found)
+    {
+      return *std::move(found);
+    }
+  }
+  if (count == 0)
+  {
+    throw InvalidInput(std::string("the input carries no basis \"") + basisName +
+      "\" that fits its geometry: put vtkManifoldHarmonics before this filter, or set "
+      "NumberOfHarmonics to have one computed");
+  }
+  return FindOrComputeHarmonics(input, mesh, count, progress, eigensolves);
 }
 
 void DropHarmonics(vtkPolyData* output, const char* basisName)

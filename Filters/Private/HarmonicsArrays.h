@@ -25,6 +25,12 @@ std::optional<ManifoldHarmonics> FindHarmonics(vtkPolyData* input, const char* b
 ManifoldHarmonics FindOrComputeHarmonics(vtkPolyData* input, const PolyDataMesh& mesh, Index count,
   const Progress& progress, int& eigensolves);
 
+/// A basis under either mass matrix: the first `count` harmonics (0: all) that the input carries,
+/// else, unless `count` is 0, lumped ones computed afresh. Throws InvalidInput when there are none
+/// and `count` is 0.
+ManifoldHarmonics FindAnyOrComputeHarmonics(vtkPolyData* input, const char* basisName,
+  const PolyDataMesh& mesh, Index count, const Progress& progress, int& eigensolves);
+
 /// Removes every array that AttachHarmonics() adds: for outputs whose points moved.
 void DropHarmonics(vtkPolyData* output, const char* basisName = DefaultBasisName);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/SlotTable.h"
 
+#include "Core/Detection.h"
+
 #include <vtkDoubleArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
@@ -61,7 +63,7 @@ void FillEmbeddingTable(vtkTable* table, const std::vector<Readings>& history,
     [&](std::size_t iteration, std::size_t slot) { return history[iteration][slot].Bit(); });
 }
 
-void FillDetectionTable(vtkTable* table, const Readings& readings)
+void FillDetectionTable(vtkTable* table, const Readings& readings, const SlotOptions& options)
 {
   const std::vector<Readings> one{ readings };
   AddReadingColumns(table, one);
@@ -69,11 +71,22 @@ void FillDetectionTable(vtkTable* table, const Readings& readings)
     [&](std::size_t, std::size_t slot) { return readings[slot].Margin(); });
   AddColumn<vtkIntArray>(table, "Bit", one,
     [&](std::size_t, std::size_t slot) { return readings[slot].Bit(); });
+  for (const int bit : { 0, 1 })
+  {
+    const std::string name = "LogLikelihoodRatio" + std::to_string(bit);
+    AddColumn<vtkDoubleArray>(table, name.c_str(), one,
+      [&](std::size_t, std::size_t slot)
+      {
+        const SlotLikelihood likelihood = LikelihoodOf(readings[slot], options);
+        return likelihood.Of(bit) - likelihood.Unmarked;
+      });
+  }
   AddColumn<vtkDoubleArray>(table, "Confidence", one,
     [&](std::size_t, std::size_t slot)
     {
-      const double margin = std::abs(readings[slot].Margin());
-      return margin / (1.0 + margin);
+      const SlotLikelihood likelihood = LikelihoodOf(readings[slot], options);
+      const int bit = readings[slot].Bit();
+      return 1.0 / (1.0 + std::exp(likelihood.Of(1 - bit) - likelihood.Of(bit)));
     });
 }
 

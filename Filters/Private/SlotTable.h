@@ -15,8 +15,10 @@ namespace spectralwatermark
 void FillEmbeddingTable(vtkTable* table, const std::vector<std::vector<SlotReading>>& history,
   const std::string& message);
 
-/// A row per bit: Slot, Component, Magnitude, Average, Deviation, Margin, Bit, Confidence.
-void FillDetectionTable(vtkTable* table, const std::vector<SlotReading>& readings);
+/// A row per bit: Slot, Component, Magnitude, Average, Deviation, Margin, Bit,
+/// LogLikelihoodRatio0, LogLikelihoodRatio1, Confidence.
+void FillDetectionTable(vtkTable* table, const std::vector<SlotReading>& readings,
+  const SlotOptions& options);
 
 } // namespace spectralwatermark
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Detection.h"
 #include "Core/Errors.h"
 #include "Core/IterativeEmbedding.h"
 #include "Core/SlotWatermark.h"
@@ -138,16 +139,6 @@ TEST(SlotWatermark, ContradictoryOptionsAreRefused)
   EXPECT_THROW(CheckMessage("10x10"), InvalidInput);
   EXPECT_THROW(CheckSlotsAboveKernel(SlotOptions(), 44), InvalidInput);
   EXPECT_NO_THROW(CheckSlotsAboveKernel(SlotOptions(), 20));
-}
-
-TEST(SlotWatermark, PValueIsTheBinomialTail)
-{
-  EXPECT_NEAR(AgreementPValue(5, 5), 1.0 / 32.0, 1e-15);
-  EXPECT_NEAR(AgreementPValue(4, 5), 6.0 / 32.0, 1e-14);
-  EXPECT_DOUBLE_EQ(AgreementPValue(0, 5), 1.0);
-  // Robustness literature's figure: 51 of 64 for one in a million.
-  EXPECT_LT(AgreementPValue(51, 64), 1e-6);
-  EXPECT_GT(AgreementPValue(50, 64), 1e-6);
 }
 
 TEST(IterativeEmbedding, EveryModeIsReadBackBlindOrSaysThatItDidNotConverge)

@@ -7,6 +7,7 @@
 #include <vtkErrorCode.h>
 #include <vtkManifoldHarmonics.h>
 #include <vtkManifoldHarmonicsReconstruction.h>
+#include <vtkManifoldHarmonicsSimilarity.h>
 #include <vtkMath.h>
 #include <vtkMeshAttack.h>
 #include <vtkMeshDistortion.h>
@@ -31,6 +32,9 @@ std::vector<vtkSmartPointer<vtkPolyDataAlgorithm>> EveryFilter()
   auto reconstruction = vtkSmartPointer<vtkManifoldHarmonicsReconstruction>::New();
   reconstruction->SetNumberOfHarmonics(20);
   filters.emplace_back(reconstruction);
+  auto similarity = vtkSmartPointer<vtkManifoldHarmonicsSimilarity>::New();
+  similarity->SetNumberOfHarmonics(20);
+  filters.emplace_back(similarity);
   filters.emplace_back(vtkSmartPointer<vtkSpectralWatermarkEmbed>::New());
   filters.emplace_back(vtkSmartPointer<vtkSpectralWatermarkDetect>::New());
   for (const int kind : { vtkMeshAttack::Rotation, vtkMeshAttack::NoiseAlongNormals,

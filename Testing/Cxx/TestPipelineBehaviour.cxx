@@ -6,6 +6,7 @@
 #include <vtkDataArray.h>
 #include <vtkManifoldHarmonics.h>
 #include <vtkManifoldHarmonicsReconstruction.h>
+#include <vtkManifoldHarmonicsSimilarity.h>
 #include <vtkMeshAttack.h>
 #include <vtkMeshDistortion.h>
 #include <vtkMultiBlockDataSet.h>
@@ -36,6 +37,9 @@ Filters EveryFilterOn(vtkPolyData* mesh)
   auto reconstruction = vtkSmartPointer<vtkManifoldHarmonicsReconstruction>::New();
   reconstruction->SetNumberOfHarmonics(60);
   filters.emplace_back(reconstruction);
+  auto similarity = vtkSmartPointer<vtkManifoldHarmonicsSimilarity>::New();
+  similarity->SetNumberOfHarmonics(60);
+  filters.emplace_back(similarity);
   filters.emplace_back(vtkSmartPointer<vtkSpectralWatermarkEmbed>::New());
   filters.emplace_back(vtkSmartPointer<vtkSpectralWatermarkDetect>::New());
   for (const int kind : { vtkMeshAttack::Rotation, vtkMeshAttack::NoiseAlongNormals,

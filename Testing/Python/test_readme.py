@@ -18,6 +18,7 @@ class ReadmeTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.addCleanup(os.chdir, Path.cwd())
         (Path(folder.name) / "Data").symlink_to(ROOT / "Data")
+        (Path(folder.name) / "my.key").write_text("a secret for the test\n")
         os.chdir(folder.name)
 
     def test_python_blocks_run_one_after_the_other(self):
@@ -29,6 +30,8 @@ class ReadmeTest(unittest.TestCase):
             for block in blocks:
                 exec(block, names)  # pylint: disable=exec-used
         self.assertIn("reads 10110", printed.getvalue())
+        self.assertIn("mine p =", printed.getvalue())
+        self.assertNotIn("not mine", printed.getvalue())
         self.assertEqual(names["basis"].shape[1], 100)
 
     def test_every_linked_file_exists(self):

@@ -7,6 +7,7 @@ import spectralwatermark
 from spectralwatermark import (
     vtkManifoldHarmonics,
     vtkManifoldHarmonicsReconstruction,
+    vtkManifoldHarmonicsSimilarity,
     vtkMeshAttack,
     vtkMeshDistortion,
     vtkSpectralWatermarkDetect,
@@ -17,6 +18,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkPolyDataAlgorithm
 FILTERS = (
     vtkManifoldHarmonics,
     vtkManifoldHarmonicsReconstruction,
+    vtkManifoldHarmonicsSimilarity,
     vtkMeshAttack,
     vtkMeshDistortion,
     vtkSpectralWatermarkDetect,

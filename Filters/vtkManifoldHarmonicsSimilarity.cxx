@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkManifoldHarmonicsSimilarity.h"
+
+#include "Core/BasisSimilarity.h"
+#include "Private/BasisTransfer.h"
+#include "Private/FilterRun.h"
+#include "Private/HarmonicsArrays.h"
+#include "Private/PolyDataMesh.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+
+namespace sw = spectralwatermark;
+
+vtkStandardNewMacro(vtkManifoldHarmonicsSimilarity);
+
+vtkManifoldHarmonicsSimilarity::vtkManifoldHarmonicsSimilarity()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkManifoldHarmonicsSimilarity::~vtkManifoldHarmonicsSimilarity() = default;
+
+namespace
+{
+
+vtkSmartPointer<vtkDoubleArray> Column(const char* name, const Eigen::VectorXd& values)
+{
+  auto column = vtkSmartPointer<vtkDoubleArray>::New();
+  column->SetName(name);
+  for (const double value : values)
+  {
+    column->InsertNextValue(value);
+  }
+  return column;
+}
+
+void FillTable(vtkTable* table, const Eigen::VectorXd& eigenvalues,
+  const Eigen::VectorXd& otherEigenvalues, const Eigen::VectorXd& similarity)
+{
+  vtkNew<vtkIntArray> component;
+  component->SetName("Component");
+  for (int k = 1; k <= similarity.size(); ++k)
+  {
+    component->InsertNextValue(k);
+  }
+  table->AddColumn(component);
+  table->AddColumn(Column("Eigenvalue", eigenvalues.head(similarity.size())));
+  table->AddColumn(Column("OtherEigenvalue", otherEigenvalues.head(similarity.size())));
+  table->AddColumn(Column("Similarity", similarity));
+}
+
+} // namespace
+
+int vtkManifoldHarmonicsSimilarity::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillOutputPortInformation(port, info);
+  }
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
+  return 1;
+}
+
+int vtkManifoldHarmonicsSimilarity::RequestData(vtkInformation*, vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  this->MeanSimilarity = -1.0;
+  this->NumberOfEigensolves = 0;
+  return sw::RunFilter(this, this->ErrorCode, outputs,
+    [&]()
+    {
+      vtkPolyData* referenceInput = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* otherInput = vtkPolyData::GetData(inputs[1]);
+      const sw::PolyDataMesh reference = sw::ToMesh(referenceInput);
+      const sw::PolyDataMesh other = sw::ToMesh(otherInput);
+      const sw::Progress progress = sw::ProgressOf(this);
+      const sw::ManifoldHarmonics basis =
+        sw::FindAnyOrComputeHarmonics(referenceInput, sw::DefaultBasisName, reference,
+          this->NumberOfHarmonics, progress.Part(0.0, 0.45), this->NumberOfEigensolves);
+      const sw::ManifoldHarmonics otherBasis =
+        sw::FindAnyOrComputeHarmonics(otherInput, sw::DefaultBasisName, other,
+          this->NumberOfHarmonics, progress.Part(0.45, 0.9), this->NumberOfEigensolves);
+      progress.Report(0.9);
+
+      const Eigen::VectorXd similarity = sw::BasisSimilarity(basis,
+        sw::TransferToVertices(other.Mesh, otherBasis.Basis, reference.Mesh),
+        this->ClusterTolerance);
+      progress.Report(1.0);
+
+      vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+      output->ShallowCopy(referenceInput);
+      output->GetFieldData()->AddArray(Column("Similarity", similarity));
+      FillTable(vtkTable::GetData(outputs, 1), basis.Eigenvalues, otherBasis.Eigenvalues,
+        similarity);
+      this->MeanSimilarity = similarity.mean();
+    });
+}
+
+void vtkManifoldHarmonicsSimilarity::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfHarmonics: " << this->NumberOfHarmonics << "\n";
+  os << indent << "ClusterTolerance: " << this->ClusterTolerance << "\n";
+  os << indent << "MeanSimilarity: " << this->MeanSimilarity << "\n";
+  os << indent << "NumberOfEigensolves: " << this->NumberOfEigensolves << "\n";
+}
