@@ -24,22 +24,14 @@ from spectralwatermark import (
     vtkSpectralWatermarkDetect,
     vtkSpectralWatermarkEmbed,
 )
+from spectralwatermark.mesh_io import MeshFileError, read_mesh, stores_float, write_mesh
 from tqdm import tqdm
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkCommand
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
-from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
-from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 BUNNY = Path("/usr/share/glmark2/models/bunny.obj")
-READERS = {
-    ".ply": vtkPLYReader,
-    ".obj": vtkOBJReader,
-    ".stl": vtkSTLReader,
-    ".vtp": vtkXMLPolyDataReader,
-}
 # Everything that a run can leave behind: what the next run clears, and nothing else.
 OUTPUTS = (
     "marked.ply",
@@ -62,7 +54,7 @@ def main() -> int:
     arguments = parse_arguments()
     try:
         run(arguments)
-    except DemoError as error:
+    except (DemoError, MeshFileError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
     return 0
@@ -75,7 +67,7 @@ def parse_arguments() -> argparse.Namespace:
         nargs="?",
         type=Path,
         default=BUNNY,
-        help="a PLY, OBJ, STL or VTP file (default: the bunny of Debian's glmark2-data)",
+        help="a PLY, OBJ, STL, VTP or OFF file (default: the bunny of Debian's glmark2-data)",
     )
     parser.add_argument(
         "--output",
@@ -114,6 +106,8 @@ class Attacked:
 
 def run(arguments: argparse.Namespace) -> None:
     started = time.monotonic()
+    if arguments.mesh == BUNNY and not BUNNY.is_file():
+        raise DemoError(f"no such file: {BUNNY} (install Debian's glmark2-data, or name a mesh)")
     original = read_mesh(arguments.mesh)
     print(
         f"{arguments.mesh.name}: {original.GetNumberOfPoints():,} points, "
@@ -139,10 +133,11 @@ def run(arguments: argparse.Namespace) -> None:
 
 def embed(demo: Demo) -> None:
     """Embeds, writes the marked mesh, and takes the file as the mark's carrier from here on."""
+    path = demo.output / "marked.ply"
     demo.embed.SetInputData(demo.original)
     demo.embed.SetMessage(demo.message)
-    # PLY stores floats: have the mark verified on the points as the file will hold them.
-    demo.embed.SetOutputPointsPrecision(vtkAlgorithm.SINGLE_PRECISION)
+    if stores_float(path):  # have the mark verified on the points as the file will hold them
+        demo.embed.SetOutputPointsPrecision(vtkAlgorithm.SINGLE_PRECISION)
     seconds = update(demo.embed, f"Embedding {demo.message}")
 
     distortion = vtkMeshDistortion()
@@ -150,8 +145,7 @@ def embed(demo: Demo) -> None:
     distortion.SetInputConnection(1, demo.embed.GetOutputPort())
     update(distortion, "Measuring the distortion")
 
-    path = demo.output / "marked.ply"
-    write_whole(path, lambda partial: write_ply(demo.embed.GetOutput(), partial))
+    write_mesh(demo.embed.GetOutput(), path)
     demo.marked = read_mesh(path)
 
     converged = bool(demo.embed.GetConverged())
@@ -445,22 +439,6 @@ def say(what: str) -> None:
 # --- Files -------------------------------------------------------------------------------------
 
 
-def read_mesh(path: Path) -> vtkPolyData:
-    if not path.is_file():
-        hint = " (install Debian's glmark2-data, or name a mesh)" if path == BUNNY else ""
-        raise DemoError(f"no such file: {path}{hint}")
-    if path.suffix.lower() not in READERS:
-        raise DemoError(f"{path.name}: cannot read this format; use one of {', '.join(READERS)}")
-    reader = READERS[path.suffix.lower()]()
-    reader.AddObserver(vtkCommand.ErrorEvent, lambda *_: None)
-    reader.SetFileName(str(path))
-    reader.Update()
-    mesh = reader.GetOutput()
-    if mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
-        raise DemoError(f"{path}: no polygons in it; is it a surface mesh?")
-    return mesh
-
-
 def clear(folder: Path) -> None:
     """Removes what an earlier run left, and no other file."""
     try:
@@ -480,16 +458,6 @@ def write_whole(path: Path, write: Callable[[Path], object]) -> None:
     except OSError as error:
         partial.unlink(missing_ok=True)
         raise DemoError(f"cannot write {path}: {error.strerror}") from error
-
-
-def write_ply(mesh: vtkPolyData, path: Path) -> None:
-    writer = vtkPLYWriter()
-    writer.SetInputData(mesh)
-    writer.SetFileName(str(path))
-    writer.AddObserver(vtkCommand.ErrorEvent, lambda *_: None)
-    if not writer.Write():
-        path.unlink(missing_ok=True)
-        raise DemoError(f"cannot write {path}: disk full, or no permission?")
 
 
 def write_table(rows: list[Attacked], path: Path) -> None:

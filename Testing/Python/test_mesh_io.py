@@ -314,7 +314,7 @@ class WritingTest(InFolder):
         for suffix in WRITTEN:
             for mesh, text in ((vtkPolyData(), "no polygons"),
                                (triangle(faces=[(0, 1, 7)]), "point 7"),
-                               (triangle(faces=[(0, 1, 2), ()]), "no corners")):
+                               (triangle(faces=[(0, 1, 2), (0, 1)]), "fewer than 3")):
                 self.assert_refused(lambda path, mesh=mesh: write_mesh(mesh, path),
                                     self.folder / f"mesh{suffix}", "not written", text)
         self.assertEqual(list(self.folder.iterdir()), [])
@@ -465,14 +465,23 @@ class ReadingTest(InFolder):
         self.assert_square(mesh)
         self.assertIsNone(mesh.GetPointData().GetScalars())
 
-    def test_obj_seams_repeat_points(self):
-        mesh = read_mesh(self.file("mesh.obj", SQUARE_OBJ.split(b"f")[0] + (
-            b"vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt .5 .5\nf 1/1 2/2 3/3\nf 1/5 3/3 4/4\n")))
-        self.assertEqual(mesh.GetNumberOfPoints(), 6)
-        np.testing.assert_array_equal(points_of(mesh),
-                                      np.array(SQUARE_POINTS)[np.ravel(SQUARE_FACES)])
+    def test_obj_seams_repeat_points_and_nothing_else_does(self):
+        """VTK's reader makes points of all corners as soon as one point has two of something."""
+        points = SQUARE_OBJ.split(b"f")[0]
+        texture = b"vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt .5 .5\n"
+        mesh = read_mesh(self.file("mesh.obj", points + texture + (
+            b"f 1/1 2/2 3/3\nf 1/5 3/3 4/4\n")))
+        np.testing.assert_array_equal(points_of(mesh), [
+            [0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0], [0, 1, .5]])
         np.testing.assert_array_equal(values_of(mesh.GetPointData().GetTCoords()), [
-            [0, 0], [1, 0], [1, 1], [.5, .5], [1, 1], [0, 1]])
+            [0, 0], [1, 0], [1, 1], [.5, .5], [0, 1]])
+        self.assertEqual(faces_of(mesh), [[0, 1, 2], [3, 2, 4]])
+
+        mesh = read_mesh(self.file("mesh.obj", points + texture + (
+            b"vn 0 0 1\nvn 0 1 0\nf 3/1/1 2/2/1 1/3/1\nf 4/4/2 3/1/1 1/3/1\n")))
+        self.assertEqual(faces_of(mesh), [[0, 1, 2], [3, 0, 2]])
+        np.testing.assert_array_equal(values_of(mesh.GetPointData().GetNormals()), [
+            [0, 0, 1], [0, 0, 1], [0, 0, 1], [0, 1, 0]])
 
     def test_obj_materials_share_one_array_of_texture_coordinates(self):
         mesh = read_mesh(self.file("mesh.obj", b"mtllib a.mtl\n" + SQUARE_OBJ.split(b"f")[0] + (
@@ -575,16 +584,20 @@ for path in sys.argv[1:]:
         print("refused", error, flush=True)
 """
 
-    def assert_all_refused(self, files):
+    def said_of(self, files):
+        """The child's line for each of the files."""
         paths = [self.file(f"{name}{suffix}", data) for (name, suffix), data in files.items()]
         result = subprocess.run([sys.executable, "-c", self.CHILD, *paths], capture_output=True,
                                 text=True, check=False)
         said = result.stdout.splitlines()
-        for path, line in zip(paths, said):
-            with self.subTest(path.name):
-                self.assertTrue(line.startswith(f"refused {path}: "), line)
         self.assertEqual(len(said), len(paths), f"after {said[-1:]}: {result.stderr}")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return zip(paths, said)
+
+    def assert_all_refused(self, files):
+        for path, line in self.said_of(files):
+            with self.subTest(path.name):
+                self.assertTrue(line.startswith(f"refused {path}: "), line)
 
     def cuts(self, name, suffix, data, places):
         return {(f"{name}-{place}", suffix): data[:place] for place in places}
@@ -620,6 +633,7 @@ for path in sys.argv[1:]:
             "negative": ply(faces=b"3 0 1 2\n3 0 2 -1\n"),
             "missing-corner": ply(faces=b"3 0 1 2\n3 0 2\n"),
             "negative-size": ply(faces=b"3 0 1 2\n-3 0 2 3\n"),
+            "two-corners": ply(faces=b"3 0 1 2\n2 0 2\n"),
             "many-corners": ply(faces=many, of_faces=("list int int vertex_indices",)),
             "no-number": ply(points=b"0 0 0\n1 0 0\n1,5 1 0\n0 1 0.5\n"),
             "missing-coordinate": ply(points=b"0 0 0\n1 0 0\n1 1\n0 1 0.5\n"),
@@ -636,12 +650,25 @@ for path in sys.argv[1:]:
                                             b"format ascii 1.0\nproperty float w\n"),
             "two-of-them": ply().replace(b"element face", b"element vertex 4\nelement face"),
             "no-header": b"solid pebble\n",
-            "binary-far": binary[:-4] + struct.pack("<i", 4),
+            "binary-far": binary[:-4] + struct.pack("<i", 400_000_000),
+            "binary-one-too-far": binary[:-4] + struct.pack("<i", 4),
             "binary-negative": binary[:-4] + struct.pack("<i", -7),
             "binary-big-face": binary[:-13] + b"\xff" + binary[-12:],
             "binary-big-count": binary.replace(b"face 2", b"face 2000000000"),
             "binary-many-points": binary.replace(b"vertex 4", b"vertex 2000000000"),
         }.items()})
+
+    def test_ply_with_names_that_vtk_takes_for_something_else(self):
+        corners = "list uchar int vertex_indices"
+        files = {
+            ("list-of-colours", ".ply"): ply(
+                faces=b"3 0 1 2 1 7 8 9\n3 0 2 3 1 7 8 9\n",
+                of_faces=(corners, "list uchar uchar red", "uchar green", "uchar blue")),
+            ("one-texture-coordinate", ".ply"): ply(
+                faces=b"3 0 1 2 0.5\n3 0 2 3 0.5\n", of_faces=(corners, "float texcoord")),
+        }
+        for path, line in self.said_of(files):
+            self.assertEqual(line, "read 2", path.name)
 
     def test_stl(self):
         writer = vtkSTLWriter()
