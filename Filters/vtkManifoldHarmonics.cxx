@@ -46,6 +46,7 @@ int vtkManifoldHarmonics::RequestData(vtkInformation*, vtkInformationVector** in
       options.Mass = static_cast<sw::MassMatrix>(this->MassMatrix);
       options.BandSize = this->BandSize;
       options.Tolerance = this->Tolerance;
+      options.Threads = sw::ThreadsOfVtk();
       const sw::ManifoldHarmonics harmonics =
         sw::ComputeManifoldHarmonics(mesh.Mesh, options, sw::ProgressOf(this));
 

@@ -51,6 +51,7 @@ int vtkSpectralWatermarkEmbed::RequestData(vtkInformation*, vtkInformationVector
       options.Slots = this->GetSlotOptions(key.get(), bits);
       options.RequiredBits = this->RequiredBits;
       options.MaximumIterations = this->MaximumNumberOfIterations;
+      options.Threads = sw::ThreadsOfVtk();
       options.RoundToFloat = sw::StoresFloat(input, this->OutputPointsPrecision);
 
       const sw::Index needed = sw::ComponentsNeeded(options.Slots, bits);

@@ -27,6 +27,7 @@ struct EigensolverOptions
   Index Count = 100;       ///< eigenpairs wanted, from the smallest; the kernel counts
   Index BandSize = 0;      ///< eigenpairs per shift-invert band; 0: the solver's choice
   double Tolerance = 1e-8; ///< relative residual (see RelativeResiduals)
+  int Threads = 1;         ///< at most; the result does not depend on it
 };
 
 struct EigenPairs

@@ -41,6 +41,7 @@ EmbeddingResult EmbedMessage(const TriangleMesh& original, const EmbeddingOption
   HarmonicsOptions harmonicsOptions;
   harmonicsOptions.Count = ComponentsNeeded(options.Slots, bits);
   harmonicsOptions.Tolerance = options.Tolerance;
+  harmonicsOptions.Threads = options.Threads;
 
   EmbeddingResult result;
   TriangleMesh mesh = original;

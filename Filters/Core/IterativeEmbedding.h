@@ -17,6 +17,7 @@ struct EmbeddingOptions
   Index RequiredBits = 0; ///< the extraction threshold: stop with that many right; 0: all
   Index MaximumIterations = 20;
   double Tolerance = 1e-8;   ///< of the harmonics
+  int Threads = 1;           ///< at most; the result does not depend on it
   bool RoundToFloat = false; ///< keep points that float32 can hold, as the output will be stored
 };
 

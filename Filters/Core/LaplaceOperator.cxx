@@ -319,4 +319,18 @@ Eigen::VectorXd RelativeResiduals(const SparseMatrix& stiffness, const SparseMat
   return residuals;
 }
 
+Eigen::VectorXd ResidualFloors(const SparseMatrix& stiffness, const SparseMatrix& mass, double area,
+  const Eigen::VectorXd& values, const Eigen::MatrixXd& vectors)
+{
+  const double largest = stiffness.diagonal().cwiseAbs().maxCoeff();
+  const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * largest;
+  Eigen::VectorXd floors(values.size());
+  for (Index k = 0; k < values.size(); ++k)
+  {
+    floors[k] = rounding * vectors.col(k).norm() /
+      ((std::abs(values[k]) + 1.0 / area) * (mass * vectors.col(k)).norm());
+  }
+  return floors;
+}
+
 } // namespace spectralwatermark

@@ -45,6 +45,11 @@ LaplaceOperator AssembleLaplaceOperator(const TriangleMesh& mesh, MassMatrix kin
 Eigen::VectorXd RelativeResiduals(const SparseMatrix& stiffness, const SparseMatrix& mass,
   double area, const Eigen::VectorXd& values, const Eigen::MatrixXd& vectors);
 
+/// What rounding alone may leave of RelativeResiduals(): products with S cancel down from its
+/// largest entries. Matters on meshes with very thin triangles, and for tolerances near 1e-12.
+Eigen::VectorXd ResidualFloors(const SparseMatrix& stiffness, const SparseMatrix& mass, double area,
+  const Eigen::VectorXd& values, const Eigen::MatrixXd& vectors);
+
 } // namespace spectralwatermark
 
 #endif

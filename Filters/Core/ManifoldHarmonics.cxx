@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ManifoldHarmonics.h"
 
+#include "BlockLanczosEigensolver.h"
 #include "DenseEigensolver.h"
 #include "Errors.h"
-#include "SpectraEigensolver.h"
 
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <memory>
+#include <sstream>
 #include <string>
 
 namespace spectralwatermark
@@ -33,7 +35,7 @@ std::unique_ptr<Eigensolver> ChooseEigensolver(Index vertices, Index wanted)
   {
     return std::make_unique<DenseEigensolver>();
   }
-  return std::make_unique<SpectraEigensolver>();
+  return std::make_unique<BlockLanczosEigensolver>();
 }
 
 void CheckCount(const HarmonicsOptions& options, Index available)
@@ -68,19 +70,11 @@ void FixSigns(Eigen::MatrixXd& basis)
   }
 }
 
-// What rounding alone leaves as a residual: products with S cancel down from its largest
-// entries. Matters only on meshes with very thin triangles.
-Eigen::VectorXd RoundingFloor(const EigenProblem& problem, const EigenPairs& pairs)
+std::string Scientific(double value)
 {
-  const double largest = problem.Stiffness.diagonal().cwiseAbs().maxCoeff();
-  const double epsilon = std::numeric_limits<double>::epsilon();
-  Eigen::VectorXd limit(pairs.Values.size());
-  for (Index k = 0; k < limit.size(); ++k)
-  {
-    limit[k] = 8.0 * epsilon * largest * pairs.Vectors.col(k).norm() /
-      ((pairs.Values[k] + 1.0) * (problem.Mass * pairs.Vectors.col(k)).norm());
-  }
-  return limit;
+  std::ostringstream text;
+  text << std::scientific << std::setprecision(1) << value;
+  return text.str();
 }
 
 void CheckConvergence(const EigenProblem& problem, const EigenPairs& pairs,
@@ -93,13 +87,14 @@ void CheckConvergence(const EigenProblem& problem, const EigenPairs& pairs,
       " harmonics could be computed completely: ask for fewer, or "
       "for another band size");
   }
-  const Eigen::VectorXd allowed = RoundingFloor(problem, pairs).array() + options.Tolerance;
+  const Eigen::VectorXd allowed = options.Tolerance +
+    ResidualFloors(problem.Stiffness, problem.Mass, 1.0, pairs.Values, pairs.Vectors).array();
   const Index failed = (pairs.Residuals.array() > allowed.array()).count();
   if (failed > 0)
   {
     throw SolverFailure(std::to_string(failed) + " of " + std::to_string(options.Count) +
       " harmonics have a residual over the tolerance (largest " +
-      std::to_string(pairs.Residuals.maxCoeff()) +
+      Scientific(pairs.Residuals.maxCoeff()) +
       "): raise the tolerance, or remove the mesh's "
       "thinnest triangles");
   }
@@ -123,6 +118,7 @@ ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
   solverOptions.Count = options.Count;
   solverOptions.BandSize = options.BandSize;
   solverOptions.Tolerance = options.Tolerance;
+  solverOptions.Threads = options.Threads;
   EigenPairs pairs = ChooseEigensolver(mesh.NumberOfVertices(), options.Count)
                        ->Solve(problem, solverOptions, progress.Part(0.02, 0.98));
   CheckConvergence(problem, pairs, options);

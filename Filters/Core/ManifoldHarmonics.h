@@ -17,6 +17,7 @@ struct HarmonicsOptions
   MassMatrix Mass = MassMatrix::Lumped; ///< inner product
   Index BandSize = 0;                   ///< harmonics per band; 0: the solver's choice
   double Tolerance = 1e-8;              ///< relative residual
+  int Threads = 1;                      ///< at most; the result does not depend on it
 };
 
 /// The first m solutions of S h = lambda M h. Column 0 is the paper's H^1.

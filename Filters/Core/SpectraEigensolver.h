@@ -7,13 +7,8 @@
 namespace spectralwatermark
 {
 
-/// Shift-invert Lanczos (Spectra) band by band, as in Vallet and Levy, "Spectral Geometry
-/// Processing with Manifold Harmonics" (2008), on Eigen's sparse LDL^T factorisation.
-///
-/// Bands are cut where the spectrum has a gap, and the eigenvalues of a band are counted by
-/// Sylvester's law of inertia at both of its cuts, so that a multiple eigenvalue is neither lost
-/// nor repeated: what a Lanczos run misses is looked for again, with all that was found
-/// projected out, until the count is right.
+/// Shift-invert Lanczos with restarts, one vector at a time (Spectra), band by band, on Eigen's
+/// sparse LDL^T factorisation. Slower than BlockLanczosEigensolver: the reference to compare with.
 ///
 /// Deterministic: fixed starting vectors, one thread.
 class SpectraEigensolver : public Eigensolver

@@ -9,6 +9,7 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
+#include <vtkSMPTools.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <memory>
@@ -61,6 +62,11 @@ Progress ProgressOf(vtkAlgorithm* filter)
       }
       return !filter->GetAbortExecute();
     });
+}
+
+int ThreadsOfVtk()
+{
+  return vtkSMPTools::GetEstimatedNumberOfThreads();
 }
 
 int RunFilter(vtkAlgorithm* filter, unsigned long& errorCode, vtkInformationVector* outputs,

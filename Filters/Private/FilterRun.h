@@ -16,6 +16,9 @@ namespace spectralwatermark
 /// Core progress that becomes the filter's progress events, and stops when AbortExecute is set.
 Progress ProgressOf(vtkAlgorithm* filter);
 
+/// How many threads VTK's own filters would use (vtkSMPTools).
+int ThreadsOfVtk();
+
 /// Runs `recipe` and turns what it throws into VTK's terms; the return value is RequestData's.
 ///
 /// - An error: vtkErrorMacro with its text, every output emptied, `errorCode` set to

@@ -2,6 +2,7 @@
 #include "Private/HarmonicsArrays.h"
 
 #include "Core/Errors.h"
+#include "Private/FilterRun.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -108,6 +109,7 @@ ManifoldHarmonics FindOrComputeHarmonics(vtkPolyData* input, const PolyDataMesh&
   ++eigensolves;
   HarmonicsOptions options;
   options.Count = count;
+  options.Threads = ThreadsOfVtk();
   return ComputeManifoldHarmonics(mesh.Mesh, options, progress);
 }
 

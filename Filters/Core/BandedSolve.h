@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The spectrum band by band, as in Vallet and Levy, "Spectral Geometry Processing with Manifold
+/// Harmonics" (2008), for any shift-invert solver.
+#ifndef SpectralWatermark_Core_BandedSolve_h
+#define SpectralWatermark_Core_BandedSolve_h
+
+#include "Eigensolver.h"
+
+#include <vector>
+
+namespace spectralwatermark
+{
+
+/// Some eigenpairs, ascending.
+struct Band
+{
+  std::vector<double> Values;
+  std::vector<Eigen::VectorXd> Vectors;
+};
+
+/// What a solver must find around the shift that it was last given.
+struct BandRequest
+{
+  Index Below = 0;      ///< eigenpairs under the shift, the nearest ones
+  Index Above = 0;      ///< and over it
+  bool AnySide = false; ///< rather: Below + Above of them, on whichever side they are nearest
+  const Eigen::MatrixXd& Locked; ///< M-orthonormal vectors to keep out of: found already
+  double Tolerance = 1e-8;       ///< relative residual
+  int Attempt = 0;               ///< 0, then 1, 2, ... when something is still missing
+};
+
+/// One way to find eigenpairs near a shift.
+class ShiftInvertSolver
+{
+public:
+  virtual ~ShiftInvertSolver() = default;
+
+  /// Harmonics per band when the caller leaves it open.
+  virtual Index DefaultBandSize(Index wanted) const = 0;
+
+  /// Whether the first shift may lie inside the spectrum; else it is under it.
+  virtual bool FirstShiftInside() const = 0;
+
+  /// Moves to another shift; returns how many eigenvalues lie under it (Sylvester's law of
+  /// inertia). Throws SolverFailure when the factorisation breaks down.
+  virtual Index Factorize(double shift) = 0;
+
+  /// What was asked for, or as much of it as converged; more does not harm. At the first attempt,
+  /// pairs whose residuals are over the tolerance are better left out: they are looked for again.
+  virtual Band FindNearest(const BandRequest& request, const Progress& progress) = 0;
+};
+
+/// Solves the problem with bands that are cut where the spectrum has a gap. The eigenvalues of a
+/// band are counted by inertia at both of its cuts, so that a multiple eigenvalue is neither lost
+/// nor repeated: what a solver misses is looked for again, with all that was found locked, until
+/// the count is right.
+EigenPairs SolveByBands(const EigenProblem& problem, const EigensolverOptions& options,
+  ShiftInvertSolver& solver, const Progress& progress);
+
+} // namespace spectralwatermark
+
+#endif

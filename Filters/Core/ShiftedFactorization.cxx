@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <iostream> // before Eigen's METIS support, which needs it and does not include it
+
+#include "ShiftedFactorization.h"
+
+#include "Errors.h"
+#include "Parallel.h"
+
+#include <Eigen/MetisSupport>
+
+namespace spectralwatermark
+{
+
+using Eigen::Index;
+
+ShiftedFactorization::ShiftedFactorization(const SparseMatrix& stiffness, const SparseMatrix& mass)
+{
+  const SparseMatrix pattern = stiffness + mass;
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> toOriginal;
+  Eigen::MetisOrdering<int>()(pattern, toOriginal);
+  const Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> toPermuted =
+    toOriginal.inverse();
+  this->OriginalRow = toOriginal.indices();
+  this->PermutedStiffness = stiffness.twistedBy(toPermuted);
+  this->PermutedMass = mass.twistedBy(toPermuted);
+  this->Factors.analyzePattern(this->PermutedStiffness + this->PermutedMass);
+}
+
+Index ShiftedFactorization::Factorize(double shift)
+{
+  this->Shifted = this->PermutedStiffness - shift * this->PermutedMass;
+  this->Factors.factorize(this->Shifted);
+  if (this->Factors.info() != Eigen::Success)
+  {
+    throw SolverFailure("the factorisation of the shifted Laplacian broke down");
+  }
+  const Eigen::VectorXd d = this->Factors.vectorD();
+  this->InverseD = d.cwiseInverse();
+  return (d.array() < 0.0).count();
+}
+
+void ShiftedFactorization::Solve(Panel& x) const
+{
+  SolveFactorized(this->Factors.matrixL().nestedExpression(), this->InverseD, x);
+}
+
+void ShiftedFactorization::SolveWithMass(Panels& x, bool refine, int threads) const
+{
+  ForEachTask(threads, static_cast<Index>(x.size()),
+    [&](Index k)
+    {
+      Panel right;
+      MultiplyPanel(this->PermutedMass, x[static_cast<std::size_t>(k)], right, 1);
+      Panel solution = right;
+      this->Solve(solution);
+      if (refine)
+      {
+        Panel product;
+        MultiplyPanel(this->Shifted, solution, product, 1);
+        right -= product;
+        this->Solve(right);
+        solution += right;
+      }
+      x[static_cast<std::size_t>(k)] = std::move(solution);
+    });
+}
+
+} // namespace spectralwatermark

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SpectralWatermark_Core_ShiftedFactorization_h
+#define SpectralWatermark_Core_ShiftedFactorization_h
+
+#include "Panels.h"
+
+#include <Eigen/SparseCholesky>
+
+namespace spectralwatermark
+{
+
+/// L D L^T of S - sigma M, in an order that keeps L sparse. The seam behind which factorisations
+/// take each other's place: this one is Eigen's simplicial LDL^T after METIS's nested dissection
+/// (both freely licensed), with triangular solves for eight right-hand sides at a time.
+///
+/// Panels are in the factorisation's order of rows throughout.
+class ShiftedFactorization
+{
+public:
+  using SparseMatrix = Eigen::SparseMatrix<double>;
+
+  /// Chooses the order; both matrices are kept in it.
+  ShiftedFactorization(const SparseMatrix& stiffness, const SparseMatrix& mass);
+
+  /// Factorises S - shift M; returns how many eigenvalues lie under the shift (Sylvester's law of
+  /// inertia). Throws SolverFailure when it breaks down.
+  Eigen::Index Factorize(double shift);
+
+  /// X <- (S - shift M)^-1 X.
+  void Solve(Panel& x) const;
+
+  /// X <- (S - shift M)^-1 M X for every panel; with `refine`, one step of iterative refinement
+  /// takes away the noise that factors without pivoting leave.
+  void SolveWithMass(Panels& x, bool refine, int threads) const;
+
+  Eigen::Index Size() const { return this->PermutedMass.rows(); }
+
+  const SparseMatrix& Stiffness() const { return this->PermutedStiffness; }
+  const SparseMatrix& Mass() const { return this->PermutedMass; }
+
+  /// Row i here is row Order()[i] of the matrices as they were given.
+  const Eigen::VectorXi& Order() const { return this->OriginalRow; }
+
+private:
+  using Ldlt = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+
+  Eigen::VectorXi OriginalRow;
+  SparseMatrix PermutedStiffness;
+  SparseMatrix PermutedMass;
+  SparseMatrix Shifted; // S - shift M
+  Ldlt Factors;
+  Eigen::VectorXd InverseD;
+};
+
+} // namespace spectralwatermark
+
+#endif
