@@ -133,11 +133,13 @@ void BandSequence::ChooseShift()
     this->Shift = base + reach;
     this->BelowShift = this->Solver.Factorize(this->Shift);
     const double between = static_cast<double>(this->BelowShift - this->Found());
-    if (between <= 4.0 / 3.0 * half + 2.0 && (between >= half / 3.0 - 2.0 || attempt >= 4))
+    const bool inMiddle =
+      between <= 4.0 / 3.0 * half + 2.0 && (between >= half / 3.0 - 2.0 || attempt >= 4);
+    if (inMiddle && this->Solver.IsAccurate())
     {
       break;
     }
-    reach *= std::min(4.0, half / std::max(1.0, between));
+    reach *= inMiddle ? 1.0 + ShiftStep / half : std::min(4.0, half / std::max(1.0, between));
   }
 }
 

@@ -45,6 +45,9 @@ public:
   /// inertia). Throws SolverFailure when the factorisation breaks down.
   virtual Index Factorize(double shift) = 0;
 
+  /// Whether solves with the last factorisation are as accurate as they should be.
+  virtual bool IsAccurate() const { return true; }
+
   /// What was asked for, or as much of it as converged; more does not harm. At the first attempt,
   /// pairs whose residuals are over the tolerance are better left out: they are looked for again.
   virtual Band FindNearest(const BandRequest& request, const Progress& progress) = 0;

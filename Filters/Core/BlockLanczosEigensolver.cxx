@@ -25,6 +25,10 @@ constexpr double PartOfTolerance = 0.3;
 // Eigenvalues closer than this, relative to their size, are taken for one that repeats.
 constexpr double NearlyEqual = 1e-7;
 
+// Of a solve, see ShiftedFactorization::SolveError(). Residuals of low frequencies are some hundred
+// times larger.
+constexpr double LargestSolveError = 1e-11;
+
 // Under this tolerance rounding begins to show in the residuals.
 constexpr double TightTolerance = 1e-10;
 
@@ -304,6 +308,8 @@ public:
     this->Shift = shift;
     return this->Factorization.Factorize(shift);
   }
+
+  bool IsAccurate() const override { return this->Factorization.SolveError() < LargestSolveError; }
 
   Band FindNearest(const BandRequest& request, const Progress& progress) override;
 

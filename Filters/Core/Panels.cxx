@@ -5,8 +5,16 @@
 
 // The widest instructions that the machine has are chosen when the library is loaded; sanitizers
 // cannot run that early.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
-#define WIDEST_INSTRUCTIONS __attribute__((target_clones("avx512f", "avx2,fma", "default")))
+#ifdef __has_feature
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define CHOSEN_TOO_EARLY
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define CHOSEN_TOO_EARLY
+#endif
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(CHOSEN_TOO_EARLY)
+#define WIDEST_INSTRUCTIONS __attribute__((target_clones("avx512f", "arch=haswell", "default")))
 #else
 #define WIDEST_INSTRUCTIONS
 #endif

@@ -4,6 +4,7 @@
 #include "ShiftedFactorization.h"
 
 #include "Errors.h"
+#include "Noise.h"
 #include "Parallel.h"
 
 #include <Eigen/MetisSupport>
@@ -37,6 +38,22 @@ Index ShiftedFactorization::Factorize(double shift)
   const Eigen::VectorXd d = this->Factors.vectorD();
   this->InverseD = d.cwiseInverse();
   return (d.array() < 0.0).count();
+}
+
+double ShiftedFactorization::SolveError() const
+{
+  Panel random(this->Size(), PanelWidth);
+  for (Index i = 0; i < random.size(); ++i)
+  {
+    random.data()[i] = NormalRandom(0, static_cast<std::uint64_t>(i));
+  }
+  Panel right;
+  MultiplyPanel(this->PermutedMass, random, right, 1);
+  Panel solution = right;
+  this->Solve(solution);
+  Panel product;
+  MultiplyPanel(this->Shifted, solution, product, 1);
+  return (right - product).norm() / right.norm();
 }
 
 void ShiftedFactorization::Solve(Panel& x) const

@@ -251,9 +251,8 @@ TYPED_TEST(BandedEigensolvers, ProgressRisesAndAbortStops)
   EXPECT_THROW(TypeParam().Solve(problem.View(), options, stopping), Aborted);
 }
 
-// The first shift of this problem is within 1e-6 of an eigenvalue, where inverse iteration drowns
-// all other vectors in that one: the solver must notice and take another shift. Scaling a problem's
-// mass moves its eigenvalues over the shift, which does not depend on it.
+// Inverse iteration drowns all other vectors in the one whose eigenvalue the shift nearly hits.
+// Scaling the stiffness moves an eigenvalue onto the first shift, which does not depend on it.
 TEST(Eigensolvers, AShiftThatNearlyHitsAnEigenvalueDoesNoHarm)
 {
   const OwnedProblem problem(shapes::Bumpy(4));
