@@ -2,8 +2,8 @@
 # Watermarks a real scan, attacks it, recognises it again; leaves tables and pictures in
 # demo-output/.
 #
-#   ./demo.sh [MESH] [OPTIONS]    MESH: a PLY, OBJ, STL or VTP file; default: a bunny of 34,835
-#                                 vertices. ./demo.sh --help lists the options.
+#   ./demo.sh [MESH] [OPTIONS]    MESH: a PLY, OBJ, STL, VTP or OFF file; default: a bunny of
+#                                 34,835 vertices. ./demo.sh --help lists the options.
 set -euo pipefail
 callers_folder=$PWD
 cd "$(dirname "${BASH_SOURCE[0]}")"

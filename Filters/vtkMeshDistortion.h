@@ -21,8 +21,8 @@
  * coordinates that are not finite, different numbers of points.
  *
  * @warning
- * In the paper's tables CurvDiff is 99.5 % of GeomDiff in every row, which eq. 15 as printed does
- * not give: expect values some ten times smaller than the paper's.
+ * In the paper's tables CurvDiff is 98 to 100 % of GeomDiff in every row, which eq. 15 as printed
+ * does not give: expect a few percent of GeomDiff.
  *
  * @sa
  * vtkSpectralWatermarkEmbed vtkMeshAttack

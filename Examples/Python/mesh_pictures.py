@@ -232,6 +232,7 @@ def write_chart(
     size: tuple[int, int] = (1200, 560),
     logarithmic: bool = False,
     whole_numbers: bool = False,
+    logarithmic_x: bool = False,
 ) -> None:
     """Draws curves over a common x axis, which can be one of counts."""
     chart = vtkChartXY()
@@ -248,6 +249,7 @@ def write_chart(
         axis.GetLabelProperties().SetFontSize(15)
         axis.GetGridPen().SetColorF(0.9, 0.9, 0.9)
     chart.GetAxis(vtkAxis.LEFT).SetLogScale(logarithmic)
+    chart.GetAxis(vtkAxis.BOTTOM).SetLogScale(logarithmic_x)
     if whole_numbers:
         _tick_whole_numbers(chart.GetAxis(vtkAxis.BOTTOM), curves)
     for curve in curves:

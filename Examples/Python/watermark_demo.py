@@ -185,9 +185,10 @@ def attack_and_detect(demo: Demo) -> None:
     for row in demo.attacks:
         print(f"  {row.name:<28}{row.mesh.GetNumberOfPoints():>9,}  "
               f"{row.read:<{len(demo.message) + 6}}{row.errors:>6}{row.p_value:>9.3f}")
-    chance = 2 ** len(demo.message)
-    print(f"\n  Chance alone agrees in all {len(demo.message)} bits once in {chance} unmarked "
-          "meshes: these rows show what\n  the mark survives, they do not prove ownership.")
+    certainty = min(row.p_value for row in demo.attacks)
+    print(f"\n  p-value: how likely an unmarked mesh agrees as well, at most. {len(demo.message)} bits "
+          f"come down to {certainty:.2g}: these\n  rows show what the mark survives, they do not prove "
+          "ownership.")
     write_whole(demo.output / "attacks.csv", lambda path: write_table(demo.attacks, path))
     demo.summary["bit_errors"] = {row.name: row.errors for row in demo.attacks}
 

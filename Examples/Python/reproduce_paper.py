@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reproduces the whole paper and lays it beside its tables and figures: one command, one page.
+
+Marks every mesh of a folder in the paper's four modes, attacks the marks, measures distortion, time
+and what the detector's certainties are worth, draws the figures, and says where the numbers differ
+from those that the paper prints. Leaves a folder with index.html, pictures (PNG) and tables (CSV).
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+import sys
+import time
+from pathlib import Path
+
+EXAMPLES = """examples:
+  reproduce_paper.py --quick          three small meshes, two messages: a minute or two
+  reproduce_paper.py                  everything: hours, most of them for large meshes; interrupt
+                                      it at will, the next run goes on from there
+  reproduce_paper.py --meshes scans   the PLY meshes of your own folder
+
+Needs the package spectralwatermark (PYTHONPATH=build/lib/python3/dist-packages after a build),
+python3-numpy and python3-tqdm, and a display or Debian's xvfb for the pictures.
+Exit code 0: the page is complete; 2: an error, told in one line.
+"""
+
+
+class UserError(Exception):
+    """Something that the user can mend; its text is all they need."""
+
+
+def main() -> int:
+    arguments = parse_arguments()
+    try:
+        ensure_display()
+        return reproduce(arguments)
+    except UserError as error:
+        print(f"error: {error}", file=sys.stderr)
+    except OSError as error:
+        print(f"error: {error.filename or 'files'}: {error.strerror}", file=sys.stderr)
+    except KeyboardInterrupt:
+        print("\nerror: interrupted; run again to go on from here", file=sys.stderr)
+    return 2
+
+
+def parse_arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        description=__doc__, epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument(
+        "--meshes", type=Path, metavar="DIR",
+        help="folder of PLY meshes (default: the environment variable SPECTRALWATERMARK_MESH_DIR, "
+             "else ../shared/meshes beside the source tree; if there is none, Data/pebble.ply)")
+    parser.add_argument(
+        "--output", type=Path, metavar="DIR", default=Path("paper-reproduction"),
+        help="folder for the page; only files that this program writes are replaced (default: "
+             "%(default)s)")
+    parser.add_argument(
+        "--quick", action="store_true",
+        help="the same page from the smallest meshes, two messages and fewer attacks")
+    parser.add_argument(
+        "--fresh", action="store_true",
+        help="compute everything again; otherwise results that the output folder holds are used, "
+             "as long as mesh files have kept name and size. Needed after a change of the filters")
+    parser.add_argument(
+        "--jobs", type=int, metavar="N", default=os.cpu_count() or 1,
+        help="processes at a time (default: %(default)s, the processors). The results are the same")
+    arguments = parser.parse_args()
+    if arguments.jobs < 1:
+        parser.error("--jobs: at least 1")
+    return arguments
+
+
+def ensure_display() -> None:
+    """Debian's VTK draws through X; a virtual screen is enough."""
+    if os.environ.get("DISPLAY"):
+        return
+    if shutil.which("xvfb-run") is None:
+        raise UserError("no display for the pictures; a virtual one: apt install xvfb xauth")
+    sys.stdout.flush()
+    os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", sys.executable,
+                           *sys.argv])
+
+
+def reproduce(arguments: argparse.Namespace) -> int:
+    # Only now: the rendering modules need the display.
+    try:
+        from reproduction import files, models, page, plan, timing, work
+        from reproduction.store import Store
+    except ImportError as error:
+        raise UserError(f"{error}; is PYTHONPATH set? See --help") from error
+
+    started = time.monotonic()
+    try:
+        found = models.find_models(arguments.meshes)
+    except models.NoModels as error:
+        raise UserError(str(error)) from error
+    folder = arguments.output
+    files.prepare(folder, arguments.fresh)
+    store = Store(folder, arguments.fresh)
+    chosen = (plan.quick_plan if arguments.quick else plan.full_plan)(found)
+    vertices = sum(model.vertices for model in chosen.models)
+    print(f"meshes: {len(chosen.models)}, with {vertices:,} vertices; messages: "
+          f"{len(chosen.messages)}; results at hand: {store.found:,}", flush=True)
+
+    failures = [work.Failure(name, "reading", "not a PLY mesh with vertices")
+                for name in found.unreadable]
+    failures += timing.measure(chosen, store)
+    tasks = plan.tasks_of(chosen, store, folder)
+    try:
+        failures += work.run_tasks(tasks, store, arguments.jobs)
+    except work.WorkerLost as error:
+        raise UserError(str(error)) from error
+    used = plan.keys_of(chosen)
+    failures += [work.Failure(*refusal) for refusal in plan.refused(chosen, store)]
+    run = page.Run(chosen, store, failures, len(store.builds_of(used)))
+    failed_files = page.write(run, folder)
+    complaints = files.check(folder, failed_files)
+    if complaints:
+        raise UserError(f"the page is not complete: {complaints[0]} ({len(complaints)} complaints)")
+    for (model, message), titles in work.by_message(failures).items():
+        print(f"  failed: {model}, {titles[0]}"
+              f"{f' and {len(titles) - 1} more' if titles[1:] else ''}: {message}")
+    print(f"{folder / files.INDEX}, after {time.monotonic() - started:.0f} s")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
