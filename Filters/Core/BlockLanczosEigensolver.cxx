@@ -92,7 +92,7 @@ private:
   // Takes out of W what lies in the panels; returns how much of each.
   Eigen::MatrixXd TakeOut(const PanelRange& q, Panel& w) const
   {
-    const Eigen::MatrixXd c = this->Project(q, w);
+    Eigen::MatrixXd c = this->Project(q, w);
     SubtractPanels(q, c, w, this->Threads);
     return c;
   }
@@ -104,7 +104,7 @@ private:
   {
     const Eigen::MatrixXd gram = this->Project(PanelRange(&w, 1), w);
     const Eigen::LLT<Eigen::MatrixXd> cholesky(0.5 * (gram + gram.transpose()));
-    const Eigen::MatrixXd r = cholesky.matrixU();
+    Eigen::MatrixXd r = cholesky.matrixU();
     if (cholesky.info() != Eigen::Success ||
       !(r.diagonal().minCoeff() > Exhausted * r.diagonal().maxCoeff()))
     {
