@@ -17,6 +17,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from reproduction import running
 from spectralwatermark import (
     vtkManifoldHarmonics,
     vtkMeshAttack,
@@ -27,7 +28,6 @@ from spectralwatermark import (
 from spectralwatermark.mesh_io import MeshFileError, read_mesh, stores_float, write_mesh
 from tqdm import tqdm
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkCommand
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
@@ -54,7 +54,7 @@ def main() -> int:
     arguments = parse_arguments()
     try:
         run(arguments)
-    except (DemoError, MeshFileError) as error:
+    except (DemoError, MeshFileError, running.FilterError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
     return 0
@@ -398,39 +398,15 @@ def scaled_copy(mesh: vtkPolyData, array_name: str, factor: float) -> vtkPolyDat
 
 
 def update(algorithm: vtkAlgorithm, what: str) -> float:
-    """Updates with visible progress; raises what the filter complains about. Seconds taken."""
-    complaints: list[str] = []
-
-    def complain(_caller, _event, message: str) -> None:
-        complaints.append(message)
-
-    complain.CallDataType = "string0"
+    """Updates with visible progress; raises FilterError. Seconds taken."""
     if not sys.stdout.isatty():
         say(what)
     bar = tqdm(total=1.0, desc=what, file=sys.stdout, disable=not sys.stdout.isatty(), ncols=90,
                bar_format="{desc:<40} {percentage:3.0f}% |{bar:30}| {remaining} left")
-
-    def show(caller, _event) -> None:
-        bar.update(caller.GetProgress() - bar.n)
-
-    observed = [
-        (algorithm, algorithm.AddObserver(vtkCommand.ErrorEvent, complain)),
-        (algorithm, algorithm.AddObserver(vtkCommand.WarningEvent, lambda *_: None)),
-        (algorithm, algorithm.AddObserver(vtkCommand.ProgressEvent, show)),
-        # Its executive only repeats that the filter failed.
-        (algorithm.GetExecutive(),
-         algorithm.GetExecutive().AddObserver(vtkCommand.ErrorEvent, lambda *_: None)),
-    ]
     started = time.monotonic()
     with bar:
-        algorithm.Update()
-    seconds = time.monotonic() - started
-    for subject, tag in observed:
-        subject.RemoveObserver(tag)
-    if complaints:
-        # "ERROR: In file, line n\nvtkClass (0x...): what the user needs\n\n"
-        raise DemoError(complaints[0].split("): ", 1)[-1].strip())
-    return seconds
+        running.update(algorithm, lambda progress: bar.update(progress - bar.n))
+    return time.monotonic() - started
 
 
 def say(what: str) -> None:

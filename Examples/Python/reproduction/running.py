@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from spectralwatermark import mesh_io
@@ -15,7 +16,7 @@ class FilterError(Exception):
     """A filter refused or failed; its text is the filter's own message."""
 
 
-def update(algorithm: vtkAlgorithm) -> None:
+def update(algorithm: vtkAlgorithm, show_progress: Callable[[float], None] | None = None) -> None:
     """Updates; raises FilterError with the first error. Warnings (no convergence, say) are left
     to the caller, who asks the filter's getters."""
     complaints: list[str] = []
@@ -31,6 +32,9 @@ def update(algorithm: vtkAlgorithm) -> None:
         # Its executive only repeats that the filter failed.
         (executive, executive.AddObserver(vtkCommand.ErrorEvent, lambda *_: None)),
     ]
+    if show_progress is not None:
+        observed.append((algorithm, algorithm.AddObserver(
+            vtkCommand.ProgressEvent, lambda caller, _: show_progress(caller.GetProgress()))))
     algorithm.Update()
     for subject, tag in observed:
         subject.RemoveObserver(tag)
