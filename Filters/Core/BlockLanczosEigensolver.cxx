@@ -2,6 +2,7 @@
 #include "BlockLanczosEigensolver.h"
 
 #include "BandedSolve.h"
+#include "Errors.h"
 #include "LaplaceOperator.h"
 #include "Noise.h"
 #include "ShiftedFactorization.h"
@@ -47,7 +48,11 @@ public:
     , Locked(locked.size())
     , Basis(locked)
   {
-    this->Append(this->RandomPanel(seed));
+    if (this->Append(this->RandomPanel(seed)).size() == 0)
+    {
+      throw SolverFailure("the mesh has too few vertices with area for the solver to work on: ask "
+                          "for fewer harmonics, or remove its triangles without area");
+    }
   }
 
   /// Vectors that the operator has been applied to: the size of the projected problem.

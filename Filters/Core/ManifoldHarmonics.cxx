@@ -4,6 +4,7 @@
 #include "BlockLanczosEigensolver.h"
 #include "DenseEigensolver.h"
 #include "Errors.h"
+#include "SpectraEigensolver.h"
 
 #include <cmath>
 #include <iomanip>
@@ -21,6 +22,9 @@ namespace
 // Under this size a dense solver takes a fraction of a second, and Lanczos has no room.
 constexpr Index SmallProblem = 400;
 
+// Up to this size a dense solver is bearable where nothing else works: half a minute.
+constexpr Index MostDense = 2500;
+
 // Entries this close to the largest count as equal when the sign is chosen: the sign of a
 // symmetric harmonic then does not hang on rounding.
 constexpr double SignTie = 1e-6;
@@ -29,11 +33,19 @@ constexpr double SignTie = 1e-6;
 // storage in double loses, far below what any change of shape worth the name causes.
 constexpr double AdoptionTolerance = 1e-6;
 
-std::unique_ptr<Eigensolver> ChooseEigensolver(Index vertices, Index wanted)
+// Krylov spaces must not run out of vertices with mass, of which there are `rank`: a block's space
+// does so first. Where that could be, one vector at a time is safer and as fast; where there are
+// hardly more than harmonics wanted, only the dense solver is left.
+std::unique_ptr<Eigensolver> ChooseEigensolver(Index vertices, Index rank, Index wanted)
 {
-  if (vertices <= SmallProblem || wanted > vertices / 2)
+  const bool isTight = wanted > vertices / 2 || (rank < 4 * wanted + 100 && vertices <= MostDense);
+  if (vertices <= SmallProblem || isTight)
   {
     return std::make_unique<DenseEigensolver>();
+  }
+  if (rank < 5 * wanted + 1000)
+  {
+    return std::make_unique<SpectraEigensolver>();
   }
   return std::make_unique<BlockLanczosEigensolver>();
 }
@@ -119,7 +131,7 @@ ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
   solverOptions.BandSize = options.BandSize;
   solverOptions.Tolerance = options.Tolerance;
   solverOptions.Threads = options.Threads;
-  EigenPairs pairs = ChooseEigensolver(mesh.NumberOfVertices(), options.Count)
+  EigenPairs pairs = ChooseEigensolver(mesh.NumberOfVertices(), op.Rank, options.Count)
                        ->Solve(problem, solverOptions, progress.Part(0.02, 0.98));
   CheckConvergence(problem, pairs, options);
 

@@ -2,6 +2,7 @@
 #include "SpectraEigensolver.h"
 
 #include "BandedSolve.h"
+#include "Errors.h"
 #include "LaplaceOperator.h"
 
 #include <Eigen/SparseCholesky>
@@ -10,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 namespace spectralwatermark
 {
@@ -151,10 +154,18 @@ Band SpectraShiftInvert::FindNearest(const BandRequest& request, const Progress&
   MassOperator mass(this->Problem.Mass);
   Spectra::SymGEigsShiftSolver<ShiftInvertOperator, MassOperator, Spectra::GEigsMode::ShiftInvert>
     solver(op, mass, count, subspace, this->Shift);
-  solver.init();
-  solver.compute(Spectra::SortRule::LargestMagn, MaximumRestarts,
-    std::max(request.Tolerance / ResidualAmplification,
-      4.0 * std::numeric_limits<double>::epsilon()));
+  try
+  {
+    solver.init();
+    solver.compute(Spectra::SortRule::LargestMagn, MaximumRestarts,
+      std::max(request.Tolerance / ResidualAmplification,
+        4.0 * std::numeric_limits<double>::epsilon()));
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw SolverFailure(std::string("the eigensolver gave up (") + error.what() +
+      "): remove the mesh's thinnest triangles, or ask for fewer harmonics");
+  }
 
   Band band;
   const Eigen::VectorXd values = solver.eigenvalues();

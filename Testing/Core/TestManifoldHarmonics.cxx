@@ -254,3 +254,21 @@ TEST(ManifoldHarmonics, TrianglesWithoutAreaBarelyChangeTheSpectrum)
   const Eigen::MatrixXd gram = harmonics.Basis.transpose() * (harmonics.Mass * harmonics.Basis);
   EXPECT_LT((gram - Eigen::MatrixXd::Identity(40, 40)).cwiseAbs().maxCoeff(), 1e-10);
 }
+
+// Of 512 vertices, all but an icosahedron's are without area: the mass matrix is nearly all zero,
+// and there is no room for a Krylov space.
+TEST(ManifoldHarmonics, FewVerticesWithAreaAmongMany)
+{
+  const TriangleMesh sphere = shapes::Icosphere(0);
+  const std::vector<Eigen::RowVector3d> points(500, sphere.Points.row(0));
+  std::vector<std::vector<Index>> triangles;
+  for (Index i = 0; i < 500; ++i)
+  {
+    triangles.push_back({ 0, 1, 12 + i });
+  }
+  const TriangleMesh mesh = shapes::WithTriangles(sphere, points, triangles);
+  const ManifoldHarmonics harmonics = Compute(mesh, 4);
+  EXPECT_TRUE(harmonics.Basis.allFinite());
+  EXPECT_EQ(harmonics.Eigenvalues[0], 0.0);
+  EXPECT_THROW(Compute(mesh, 13), InvalidInput); // only twelve have mass
+}

@@ -127,6 +127,7 @@ TEST_F(SecretKeys, NoKeyReadsAtChanceToo)
   constexpr int keys = 12;
   int errors = 0;
   this->Embed->SetInputData(PolyData(shapes::Bumpy(3)));
+  this->Embed->SetMaximumNumberOfIterations(4);
   Listener listener(this->Embed); // some do not converge
   for (int i = 0; i < keys; ++i)
   {
