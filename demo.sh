@@ -34,5 +34,5 @@ run_logged "Building (a minute or two the first time)" cmake --build build
 export PYTHONPATH="$project/build/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}"
 cd "$callers_folder"
 # Debian's VTK draws through X: a virtual screen is enough.
-exec xvfb-run -a -s "-screen 0 1280x1024x24" /usr/bin/python3 \
+exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" /usr/bin/python3 \
   "$project/Examples/Python/watermark_demo.py" --output "$project/demo-output" "$@"

@@ -21,6 +21,12 @@ const char* vtkManifoldHarmonics::GetMassMatrixAsString() const
   return this->MassMatrix == Lumped ? "Lumped" : "Consistent";
 }
 
+const char* vtkManifoldHarmonics::GetSolverAsString() const
+{
+  constexpr const char* names[] = { "Automatic", "BlockLanczos", "Spectra", "Dense" };
+  return names[this->Solver];
+}
+
 void vtkManifoldHarmonics::SetArrayName(const char* name)
 {
   const std::string wanted = name != nullptr && *name != '\0' ? name : sw::DefaultBasisName;
@@ -34,6 +40,7 @@ void vtkManifoldHarmonics::SetArrayName(const char* name)
 int vtkManifoldHarmonics::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
+  this->SpectrumIsComplete = false;
   return sw::RunFilter(this, this->ErrorCode, outputs,
     [&]()
     {
@@ -47,9 +54,11 @@ int vtkManifoldHarmonics::RequestData(vtkInformation*, vtkInformationVector** in
       options.BandSize = this->BandSize;
       options.Tolerance = this->Tolerance;
       options.Threads = sw::ThreadsOfVtk();
+      options.Solver = static_cast<sw::SolverChoice>(this->Solver);
       const sw::ManifoldHarmonics harmonics =
         sw::ComputeManifoldHarmonics(mesh.Mesh, options, sw::ProgressOf(this));
 
+      this->SpectrumIsComplete = harmonics.Complete;
       output->ShallowCopy(input);
       sw::AttachHarmonics(output, this->GetArrayName(), mesh, harmonics);
     });
@@ -62,5 +71,7 @@ void vtkManifoldHarmonics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MassMatrix: " << this->GetMassMatrixAsString() << "\n";
   os << indent << "BandSize: " << this->BandSize << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "Solver: " << this->GetSolverAsString() << "\n";
+  os << indent << "SpectrumIsComplete: " << (this->SpectrumIsComplete ? "true" : "false") << "\n";
   os << indent << "ArrayName: " << this->ArrayName << "\n";
 }

@@ -118,6 +118,43 @@ public:
   vtkGetMacro(Tolerance, double);
   ///@}
 
+  /**
+   * Eigensolvers. Automatic takes the fastest that is safe for the mesh: BlockLanczos as a rule,
+   * Spectra where harmonics are many for the number of vertices, Dense for small meshes.
+   * BlockLanczos is this library's shift-invert block Lanczos method in bands, Spectra the library
+   * of that name (implicitly restarted Lanczos, one vector at a time), Dense a direct method for up
+   * to 10,000 vertices.
+   */
+  enum SolverType
+  {
+    Automatic = 0,
+    BlockLanczos = 1,
+    Spectra = 2,
+    Dense = 3
+  };
+
+  ///@{
+  /**
+   * Set/Get the eigensolver. Default Automatic. All give the same spectrum within the tolerance;
+   * the others are there to compare with.
+   */
+  vtkSetClampMacro(Solver, int, Automatic, Dense);
+  vtkGetMacro(Solver, int);
+  void SetSolverToAutomatic() { this->SetSolver(Automatic); }
+  void SetSolverToBlockLanczos() { this->SetSolver(BlockLanczos); }
+  void SetSolverToSpectra() { this->SetSolver(Spectra); }
+  void SetSolverToDense() { this->SetSolver(Dense); }
+  const char* GetSolverAsString() const;
+  ///@}
+
+  /**
+   * After an update: whether the spectrum is known to be complete, no eigenvalue below the last one
+   * missing and every multiple one there as often as it should be. That is counted by Sylvester's
+   * law of inertia, not assumed. False before the first update and after a failed one (that it is
+   * incomplete is an error).
+   */
+  vtkGetMacro(SpectrumIsComplete, bool);
+
   ///@{
   /**
    * Set/Get the name of the basis array. Default "ManifoldHarmonics", the name under which the
@@ -141,6 +178,8 @@ private:
   int MassMatrix = Lumped;
   int BandSize = 0;
   double Tolerance = 1e-8;
+  int Solver = Automatic;
+  bool SpectrumIsComplete = false;
   std::string ArrayName = "ManifoldHarmonics";
 };
 

@@ -74,14 +74,18 @@ def parse_arguments() -> argparse.Namespace:
 
 
 def ensure_display() -> None:
-    """Debian's VTK draws through X; a virtual screen is enough."""
+    """Debian's VTK draws through X; a virtual screen is enough.
+
+    -noreset: else the server starts anew whenever its last window closes, and a worker that opens
+    one at that moment is turned away.
+    """
     if os.environ.get("DISPLAY"):
         return
     if shutil.which("xvfb-run") is None:
         raise UserError("no display for the pictures; a virtual one: apt install xvfb xauth")
     sys.stdout.flush()
-    os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", sys.executable,
-                           *sys.argv])
+    os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset",
+                           sys.executable, *sys.argv])
 
 
 def reproduce(arguments: argparse.Namespace) -> int:

@@ -241,7 +241,7 @@ def draw_pictures(demo: Demo) -> None:
     """Draws everything; needs a display, real or virtual."""
     if not os.environ.get("DISPLAY"):
         print('\nNo display, no pictures. A virtual one will do: xvfb-run -a -s "-screen 0 '
-              '1280x1024x24" ...')
+              '1280x1024x24 -noreset" ...')
         return
     # Only now: the rendering modules need the display.
     import mesh_pictures as pictures

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BandedSolve.h"
 
-#include "LaplaceOperator.h"
+#include "Errors.h"
+#include "Noise.h"
+#include "Parallel.h"
+
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -41,12 +46,12 @@ public:
     , Wanted(std::min(options.Count, problem.Rank))
     , BandSize(options.BandSize > 0 ? options.BandSize : solver.DefaultBandSize(this->Wanted))
     , Tolerance(options.Tolerance)
+    , Nearby(options.Nearby)
+    , Threads(options.Threads)
   {
-    for (Index k = 0; k < problem.Kernel.cols(); ++k)
-    {
-      this->Values.push_back(0.0);
-      this->Vectors.push_back(problem.Kernel.col(k));
-    }
+    const auto kernel = static_cast<std::size_t>(problem.Kernel.cols());
+    this->Append(
+      { std::vector<double>(kernel, 0.0), ToPanels(problem.Kernel, solver.Order()), true });
   }
 
   bool Finished() const { return this->Found() >= this->Wanted; }
@@ -66,37 +71,53 @@ public:
   /// Appends the next band. False when its count could not be made right.
   bool SolveBand(const Progress& progress);
 
-  EigenPairs Result() const;
+  /// What was found; the sequence is empty then.
+  EigenPairs TakeResult();
 
   Index Bands = 0;
 
 private:
   bool IsFirst() const { return this->Found() <= this->Problem.Kernel.cols(); }
   double LocalSpacing() const;
+  double FirstReach() const;
   void ChooseShift();
-  void AddInInterval(const Band& found, Band& band) const;
+  Panel Start() const;
+  Panels Locked(const Band& band) const;
+  void AddInInterval(Band found, Band& band) const;
   bool Cut(Band& band, Index target);
+  void Append(Band band);
+  void TakeOutKnown(Panels& vectors) const;
 
   const EigenProblem& Problem;
   ShiftInvertSolver& Solver;
   Index Wanted;
   Index BandSize;
   double Tolerance;
+  const HeadStart* Nearby;
+  int Threads;
   std::vector<double> Values; // what is known to be complete, up to LowerCut
-  std::vector<Eigen::VectorXd> Vectors;
+  Panels Vectors;             // each band begins with a panel of its own
+  std::vector<Index> Column;  // of each value, in Vectors
+  std::size_t LastBand = 0;   // its first panel
   double LowerCut = -std::numeric_limits<double>::infinity();
   double Shift = 0.0;
   Index BelowShift = 0; // eigenvalues under Shift, by inertia
 };
 
-Eigen::MatrixXd Columns(const std::vector<Eigen::VectorXd>& vectors, Index rows)
+// V <- V R^-1 with V^T M V = R^T R, for vectors that nearly are orthonormal; columns of zeros stay.
+void OrthonormalizeBand(const Eigen::SparseMatrix<double>& mass, Panels& vectors, int threads)
 {
-  Eigen::MatrixXd matrix(rows, static_cast<Index>(vectors.size()));
-  for (std::size_t k = 0; k < vectors.size(); ++k)
+  Eigen::MatrixXd gram = GramOfPanels(mass, vectors, threads);
+  const Eigen::VectorXd norms = gram.diagonal();
+  gram.diagonal() = (norms.array() > 0.0).select(norms, 1.0);
+  const Eigen::LLT<Eigen::MatrixXd> cholesky(gram);
+  if (cholesky.info() != Eigen::Success)
   {
-    matrix.col(static_cast<Index>(k)) = vectors[k];
+    throw SolverFailure("the computed harmonics are linearly dependent");
   }
-  return matrix;
+  const Eigen::MatrixXd inverse =
+    cholesky.matrixU().solve(Eigen::MatrixXd::Identity(gram.rows(), gram.cols()));
+  vectors = CombinePanels(vectors, inverse, threads);
 }
 
 // Mean distance of neighbouring eigenvalues, as far as what is known tells.
@@ -113,6 +134,41 @@ double BandSequence::LocalSpacing() const
     : this->Values[last] / static_cast<double>(last + 1);
 }
 
+// How far above the last cut half a band reaches, as far as one can tell.
+double BandSequence::FirstReach() const
+{
+  const Index middle = this->Found() + this->Target() / 2;
+  if (this->Nearby != nullptr && middle + 1 < this->Nearby->Values.size())
+  {
+    const double base = this->IsFirst() ? 0.0 : this->LowerCut;
+    const auto& values = this->Nearby->Values;
+    return std::max(WeylSpacing, 0.5 * (values[middle] + values[middle + 1]) - base);
+  }
+  return 0.5 * static_cast<double>(this->Target()) * this->LocalSpacing();
+}
+
+// A guess at the band's span: random combinations of the nearby problem's vectors there.
+Panel BandSequence::Start() const
+{
+  if (this->Nearby == nullptr)
+  {
+    return {};
+  }
+  const Index first = this->Found();
+  const Index count = std::min(this->Nearby->Vectors->cols() - first, this->Target() + CutWindow);
+  if (count < PanelWidth)
+  {
+    return {};
+  }
+  Eigen::MatrixXd weights(count, PanelWidth);
+  for (Index k = 0; k < weights.size(); ++k)
+  {
+    weights.data()[k] = NormalRandom(1, static_cast<std::uint64_t>(k));
+  }
+  return ToPanels(this->Nearby->Vectors->middleCols(first, count) * weights,
+    this->Solver.Order())[0];
+}
+
 // Half a band above the last cut. A shift that is too far costs a Krylov space full of what is
 // known or not wanted yet; one that is too near makes it grow on one side only. The very first may
 // have to lie under the spectrum, by a twelfth of what Weyl's law gives for the first eigenvalue
@@ -127,7 +183,7 @@ void BandSequence::ChooseShift()
   }
   const double base = this->IsFirst() ? 0.0 : this->LowerCut;
   const double half = 0.5 * static_cast<double>(this->Target());
-  double reach = half * this->LocalSpacing();
+  double reach = this->FirstReach();
   for (int attempt = 0; attempt < 8; ++attempt)
   {
     this->Shift = base + reach;
@@ -143,25 +199,52 @@ void BandSequence::ChooseShift()
   }
 }
 
-// Keeps what lies above the lower cut: what is below is known already.
-void BandSequence::AddInInterval(const Band& found, Band& band) const
+// What a search must keep out of. Known bands are far from the shift as a rule, and what is found
+// of them again is left out; but a second search must not spend itself on the last one.
+Panels BandSequence::Locked(const Band& band) const
 {
-  std::vector<std::size_t> order(found.Values.size() + band.Values.size());
-  Band all = std::move(band);
-  all.Values.insert(all.Values.end(), found.Values.begin(), found.Values.end());
-  all.Vectors.insert(all.Vectors.end(), found.Vectors.begin(), found.Vectors.end());
+  Panels locked;
+  if (this->IsFirst() || !band.Vectors.empty())
+  {
+    locked.assign(this->Vectors.begin() + static_cast<std::ptrdiff_t>(this->LastBand),
+      this->Vectors.end());
+  }
+  locked.insert(locked.end(), band.Vectors.begin(), band.Vectors.end());
+  return locked;
+}
+
+// Keeps what lies above the lower cut: what is below is known already.
+void BandSequence::AddInInterval(Band found, Band& band) const
+{
+  band.Orthonormal = band.Values.empty() && found.Orthonormal;
+  std::vector<Index> columns;
+  std::vector<double> values;
+  Panels panels;
+  for (Band* part : { &band, &found })
+  {
+    for (std::size_t k = 0; k < part->Values.size(); ++k)
+    {
+      columns.push_back(PanelWidth * static_cast<Index>(panels.size()) + static_cast<Index>(k));
+      values.push_back(part->Values[k]);
+    }
+    std::move(part->Vectors.begin(), part->Vectors.end(), std::back_inserter(panels));
+  }
+  std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
   std::stable_sort(order.begin(), order.end(),
-    [&all](std::size_t a, std::size_t b) { return all.Values[a] < all.Values[b]; });
-  band = Band();
+    [&values](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  band.Values.clear();
+  std::vector<Index> kept;
   for (const std::size_t k : order)
   {
-    if (all.Values[k] > this->LowerCut)
+    if (values[k] > this->LowerCut)
     {
-      band.Values.push_back(all.Values[k]);
-      band.Vectors.push_back(std::move(all.Vectors[k]));
+      band.Values.push_back(values[k]);
+      kept.push_back(columns[k]);
     }
   }
+  band.Vectors = SelectColumns(panels, kept, this->Threads);
+  band.NextValue = std::isnan(found.NextValue) ? band.NextValue : found.NextValue;
 }
 
 // Cuts the band in its widest gap at or after `target` pairs and counts. True when the band
@@ -178,46 +261,85 @@ bool BandSequence::Cut(Band& band, Index target)
     // Everything there is: nothing above to cut from.
     return this->Found() + size == this->Problem.Rank;
   }
+  // A next value that a repair has overtaken gives no gap.
+  std::vector<double> values = band.Values;
+  values.push_back(band.NextValue);
   Index cut = -1;
   double widest = 0.0;
-  for (Index k = std::max<Index>(target, 1); k < size; ++k)
+  for (Index k = std::max<Index>(target, 1); k <= size; ++k)
   {
     const double gap =
-      band.Values[static_cast<std::size_t>(k)] - band.Values[static_cast<std::size_t>(k - 1)];
+      values[static_cast<std::size_t>(k)] - values[static_cast<std::size_t>(k - 1)];
     if (gap > widest)
     {
       widest = gap;
       cut = k;
     }
   }
-  if (cut < 0 || widest < MinimalGap * band.Values[static_cast<std::size_t>(cut)])
+  if (cut < 0 || widest < MinimalGap * values[static_cast<std::size_t>(cut)])
   {
     return false;
   }
-  const double upperCut = 0.5 *
-    (band.Values[static_cast<std::size_t>(cut)] + band.Values[static_cast<std::size_t>(cut - 1)]);
+  const double upperCut =
+    0.5 * (values[static_cast<std::size_t>(cut)] + values[static_cast<std::size_t>(cut - 1)]);
   const Index below = this->Solver.Factorize(upperCut);
   if (below != this->Found() + cut)
   {
     return false;
   }
   band.Values.resize(static_cast<std::size_t>(cut));
-  band.Vectors.resize(static_cast<std::size_t>(cut));
   this->LowerCut = upperCut;
   return true;
+}
+
+// Eigenvectors of different bands are orthogonal but for what their residuals leave: one pass of
+// block Gram-Schmidt makes them so to the last digit.
+void BandSequence::TakeOutKnown(Panels& vectors) const
+{
+  Panels product;
+  for (std::size_t first = 0; first < vectors.size(); first += PanelsAtOnce)
+  {
+    const std::size_t count = std::min(PanelsAtOnce, vectors.size() - first);
+    const Eigen::MatrixXd known = ProjectPanels(this->Vectors, this->Solver.Mass(),
+      PanelRange(vectors.data() + first, count), product, this->Threads);
+    SubtractPanels(this->Vectors, known, vectors.data() + first, this->Threads);
+  }
+}
+
+// The first of the band's vectors, as many as it has values.
+void BandSequence::Append(Band band)
+{
+  const std::size_t panels = (band.Values.size() + PanelWidth - 1) / PanelWidth;
+  band.Vectors.resize(panels);
+  if (panels > 0)
+  {
+    Panel& last = band.Vectors.back();
+    last.rightCols(PanelWidth * static_cast<Index>(panels) - static_cast<Index>(band.Values.size()))
+      .setZero();
+  }
+  this->TakeOutKnown(band.Vectors);
+  if (!band.Orthonormal)
+  {
+    OrthonormalizeBand(this->Solver.Mass(), band.Vectors, this->Threads);
+  }
+  this->LastBand = this->Vectors.size();
+  for (std::size_t k = 0; k < band.Values.size(); ++k)
+  {
+    this->Values.push_back(band.Values[k]);
+    this->Column.push_back(PanelWidth * static_cast<Index>(this->LastBand) + static_cast<Index>(k));
+  }
+  std::move(band.Vectors.begin(), band.Vectors.end(), std::back_inserter(this->Vectors));
 }
 
 bool BandSequence::SolveBand(const Progress& progress)
 {
   ++this->Bands;
-  const Index n = this->Problem.Stiffness.rows();
   const Index target = this->Target();
-  const bool first = this->IsFirst();
   this->ChooseShift();
   progress.Report(0.05);
 
   const Index below = std::max<Index>(0, this->BelowShift - this->Found());
-  const Index above = std::max<Index>(1, target - below) + CutWindow;
+  const Index above = std::max<Index>(1, target - below);
   Band band;
   for (int repair = 0; repair < MaximumRepairs; ++repair)
   {
@@ -227,46 +349,81 @@ bool BandSequence::SolveBand(const Progress& progress)
       this->Shift += ShiftStep * this->LocalSpacing();
       this->Solver.Factorize(this->Shift);
     }
-    std::vector<Eigen::VectorXd> known(band.Vectors);
-    known.insert(known.end(), this->Vectors.begin(),
-      this->Vectors.begin() + (first || repair > 0 ? this->Found() : 0));
-    const Eigen::MatrixXd locked = Columns(known, n);
     const double begin = repair == 0 ? 0.05 : 1.0 - 0.1 / repair;
     const double end = 1.0 - 0.1 / (repair + 1);
     // Few are missing as a rule; a large cluster (many equal components) needs longer strides.
     const Index missing = CutWindow << std::min(std::max(0, repair - 1), 4);
-    const BandRequest request{ repair == 0 ? below : 0, repair == 0 ? above : missing, repair > 0,
-      locked, this->Tolerance, repair };
-    this->AddInInterval(this->Solver.FindNearest(request, progress.Part(begin, end)), band);
+    BandRequest request;
+    request.Below = repair == 0 ? below : 0;
+    request.Above = repair == 0 ? above : missing;
+    request.Window = repair == 0 ? CutWindow : 0;
+    request.AnySide = repair > 0;
+    request.Locked = this->Locked(band);
+    request.Start = repair == 0 ? this->Start() : Panel();
+    request.Tolerance = this->Tolerance;
+    request.Attempt = repair;
+    this->AddInInterval(this->Solver.FindNearest(std::move(request), progress.Part(begin, end)),
+      band);
     if (this->Cut(band, target))
     {
-      this->Values.insert(this->Values.end(), band.Values.begin(), band.Values.end());
-      this->Vectors.insert(this->Vectors.end(), std::make_move_iterator(band.Vectors.begin()),
-        std::make_move_iterator(band.Vectors.end()));
+      this->Append(std::move(band));
       return true;
     }
   }
   return false;
 }
 
-EigenPairs BandSequence::Result() const
+EigenPairs BandSequence::TakeResult()
 {
   const Index count = std::min(this->Wanted, this->Found());
   EigenPairs pairs;
   pairs.Bands = this->Bands;
+  pairs.Order = this->Solver.Order();
   pairs.Values = Eigen::Map<const Eigen::VectorXd>(this->Values.data(), count);
-  pairs.Vectors.resize(this->Problem.Stiffness.rows(), count);
+  Eigen::VectorXd values =
+    Eigen::VectorXd::Zero(PanelWidth * static_cast<Index>(this->Vectors.size()));
+  for (std::size_t k = 0; k < this->Values.size(); ++k)
+  {
+    values[this->Column[k]] = this->Values[k];
+  }
+  const Eigen::VectorXd residuals = PanelResiduals(this->Solver.Stiffness(), this->Solver.Mass(),
+    values, this->Vectors, this->Threads);
+  const std::vector<Index> columns(this->Column.begin(), this->Column.begin() + count);
+  pairs.Residuals.resize(count);
   for (Index k = 0; k < count; ++k)
   {
-    pairs.Vectors.col(k) = this->Vectors[static_cast<std::size_t>(k)];
+    pairs.Residuals[k] = residuals[columns[static_cast<std::size_t>(k)]];
   }
-  Orthonormalize(this->Problem.Mass, pairs.Vectors);
-  pairs.Residuals = RelativeResiduals(this->Problem.Stiffness, this->Problem.Mass, 1.0,
-    pairs.Values, pairs.Vectors);
+  pairs.Vectors =
+    TakeColumns(std::move(this->Vectors), columns, this->Solver.Order(), this->Threads);
   return pairs;
 }
 
 } // namespace
+
+Eigen::VectorXd PanelResiduals(const Eigen::SparseMatrix<double>& stiffness,
+  const Eigen::SparseMatrix<double>& mass, const Eigen::VectorXd& values, const Panels& vectors,
+  int threads)
+{
+  Eigen::VectorXd residuals(PanelWidth * static_cast<Index>(vectors.size()));
+  ForEachTask(threads, static_cast<Index>(vectors.size()),
+    [&](Index k)
+    {
+      const Panel& panel = vectors[static_cast<std::size_t>(k)];
+      const auto value = values.segment<PanelWidth>(PanelWidth * k).array();
+      Panel massTimes;
+      Panel residual;
+      MultiplyPanel(mass, panel, massTimes, 1);
+      MultiplyPanel(stiffness, panel, residual, 1);
+      residual -= massTimes * value.matrix().asDiagonal();
+      const Eigen::Array<double, PanelWidth, 1> norms = massTimes.colwise().norm();
+      residuals.segment<PanelWidth>(PanelWidth * k) =
+        (norms > 0.0)
+          .select(residual.colwise().norm().transpose().array() / ((value.abs() + 1.0) * norms),
+            0.0);
+    });
+  return residuals;
+}
 
 EigenPairs SolveByBands(const EigenProblem& problem, const EigensolverOptions& options,
   ShiftInvertSolver& solver, const Progress& progress)
@@ -278,7 +435,7 @@ EigenPairs SolveByBands(const EigenProblem& problem, const EigensolverOptions& o
     complete =
       bands.SolveBand(progress.Part(0.95 * bands.FractionDone(), 0.95 * bands.FractionAfterBand()));
   }
-  EigenPairs pairs = bands.Result();
+  EigenPairs pairs = bands.TakeResult();
   pairs.Complete = complete && pairs.Values.size() == options.Count;
   progress.Report(1.0);
   return pairs;

@@ -5,28 +5,35 @@
 #define SpectralWatermark_Core_BandedSolve_h
 
 #include "Eigensolver.h"
+#include "Panels.h"
 
+#include <limits>
 #include <vector>
 
 namespace spectralwatermark
 {
 
-/// Some eigenpairs, ascending.
+/// Some eigenpairs.
 struct Band
 {
   std::vector<double> Values;
-  std::vector<Eigen::VectorXd> Vectors;
+  Panels Vectors;           ///< a column for each value, in the solver's order of rows
+  bool Orthonormal = false; ///< M-orthonormal to the last digit already
+  /// The next eigenvalue over them, as far as it is known: where a band may be cut.
+  double NextValue = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// What a solver must find around the shift that it was last given.
 struct BandRequest
 {
-  Index Below = 0;      ///< eigenpairs under the shift, the nearest ones
-  Index Above = 0;      ///< and over it
-  bool AnySide = false; ///< rather: Below + Above of them, on whichever side they are nearest
-  const Eigen::MatrixXd& Locked; ///< M-orthonormal vectors to keep out of: found already
-  double Tolerance = 1e-8;       ///< relative residual
-  int Attempt = 0;               ///< 0, then 1, 2, ... when something is still missing
+  Index Below = 0;         ///< eigenpairs under the shift, the nearest ones
+  Index Above = 0;         ///< and over it,
+  Index Window = 0;        ///< and up to so many more, so as to end before a gap
+  bool AnySide = false;    ///< rather: Below + Above of them, on whichever side they are nearest
+  Panels Locked;           ///< M-orthonormal vectors (or zeros) to keep out of: found already
+  Panel Start;             ///< a guess: columns near the span of what is looked for, or empty
+  double Tolerance = 1e-8; ///< relative residual
+  int Attempt = 0;         ///< 0, then 1, 2, ... when something is still missing
 };
 
 /// One way to find eigenpairs near a shift.
@@ -50,8 +57,18 @@ public:
 
   /// What was asked for, or as much of it as converged; more does not harm. At the first attempt,
   /// pairs whose residuals are over the tolerance are better left out: they are looked for again.
-  virtual Band FindNearest(const BandRequest& request, const Progress& progress) = 0;
+  virtual Band FindNearest(BandRequest request, const Progress& progress) = 0;
+
+  /// The problem's matrices, and its rows, in the solver's order: row i here is row Order()[i].
+  virtual const Eigen::SparseMatrix<double>& Stiffness() const = 0;
+  virtual const Eigen::SparseMatrix<double>& Mass() const = 0;
+  virtual const Eigen::VectorXi& Order() const = 0;
 };
+
+/// RelativeResiduals() (area 1) of every column of the panels; `values` has one for each.
+Eigen::VectorXd PanelResiduals(const Eigen::SparseMatrix<double>& stiffness,
+  const Eigen::SparseMatrix<double>& mass, const Eigen::VectorXd& values, const Panels& vectors,
+  int threads);
 
 /// Solves the problem with bands that are cut where the spectrum has a gap. The eigenvalues of a
 /// band are counted by inertia at both of its cuts, so that a multiple eigenvalue is neither lost

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace spectralwatermark
 {
@@ -30,6 +32,15 @@ constexpr double NearlyEqual = 1e-7;
 // times larger.
 constexpr double LargestSolveError = 1e-11;
 
+// How much of a start vector is random where there is a guess.
+constexpr double GuessDoubt = 1e-3;
+
+// What a band may end before, in mean distances of its eigenvalues.
+constexpr double ComfortableGap = 0.3;
+
+// How much larger than a block's couplings the operator may be for its rounding to wait.
+constexpr double LargestGrowth = 1e3;
+
 // Under this tolerance rounding begins to show in the residuals.
 constexpr double TightTolerance = 1e-10;
 
@@ -41,14 +52,22 @@ constexpr double Exhausted = 1e-10;
 class KrylovSpace
 {
 public:
-  KrylovSpace(const ShiftedFactorization& factorization, const Panels& locked, std::uint64_t seed,
-    int threads)
+  /// From the start given, or a random one when it is empty.
+  KrylovSpace(const ShiftedFactorization& factorization, Panels locked, Panel start,
+    std::uint64_t seed, int threads)
     : Factorization(factorization)
     , Threads(threads)
     , Locked(locked.size())
-    , Basis(locked)
+    , Basis(std::move(locked))
   {
-    if (this->Append(this->RandomPanel(seed)).size() == 0)
+    Panel random = this->RandomPanel(seed);
+    if (start.size() > 0)
+    {
+      // Enough of everything that no eigenvector is missed, however good the guess.
+      start *= 1.0 / start.norm();
+      random = start + GuessDoubt / random.norm() * random;
+    }
+    if (!this->Begin(std::move(random)))
     {
       throw SolverFailure("the mesh has too few vertices with area for the solver to work on: ask "
                           "for fewer harmonics, or remove its triangles without area");
@@ -62,6 +81,9 @@ public:
   /// the space is then invariant.
   bool Extend();
 
+  /// Before the space is looked at: all blocks orthogonal to the last digit. False as Extend().
+  bool Settle();
+
   Eigen::MatrixXd Projected() const;
 
   /// What the operator makes of the last block beyond the space, as a factor of the next block.
@@ -70,15 +92,14 @@ public:
   /// Linear combinations of the basis, the last block included, as panels.
   Panels Combine(const Eigen::MatrixXd& coefficients) const
   {
-    const Panels krylov(this->Basis.begin() + static_cast<std::ptrdiff_t>(this->Locked),
-      this->Basis.end());
+    const PanelRange krylov(this->Basis.data() + this->Locked, this->Basis.size() - this->Locked);
     return CombinePanels(krylov, coefficients, this->Threads);
   }
 
 private:
   Panel RandomPanel(std::uint64_t seed) const
   {
-    Panel panel(this->Factorization.Size(), PanelWidth);
+    Panel panel = MakePanel(this->Factorization.Size());
     for (Index i = 0; i < panel.size(); ++i)
     {
       panel.data()[i] = NormalRandom(seed, static_cast<std::uint64_t>(i));
@@ -87,31 +108,30 @@ private:
   }
 
   // Q^T M W
-  Eigen::MatrixXd Project(const PanelRange& q, const Panel& w) const
+  Eigen::MatrixXd Project(const PanelRange& q, const Panel* w, std::size_t count) const
   {
-    Panel product;
-    MultiplyPanel(this->Factorization.Mass(), w, product, this->Threads);
-    return ProjectPanel(q, product, this->Threads);
+    return ProjectPanels(q, this->Factorization.Mass(), PanelRange(w, count), this->Product,
+      this->Threads);
   }
 
   // Takes out of W what lies in the panels; returns how much of each.
-  Eigen::MatrixXd TakeOut(const PanelRange& q, Panel& w) const
+  Eigen::MatrixXd TakeOut(const PanelRange& q, Panel* w, std::size_t count = 1) const
   {
-    Eigen::MatrixXd c = this->Project(q, w);
+    Eigen::MatrixXd c = this->Project(q, w, count);
     SubtractPanels(q, c, w, this->Threads);
     return c;
   }
 
   // W <- Q with W = Q R and Q^T M Q = I, by Cholesky of the Gram matrix. Q is orthonormal to the
-  // square of W's condition: for the last digit once more is needed. Returns R, empty when W is
-  // singular.
-  Eigen::MatrixXd Orthonormalize(Panel& w) const
+  // square of W's condition: for the last digit once more is needed. Returns R, empty when hardly
+  // anything of W's length, or `length` if that is more, is left in some direction.
+  Eigen::MatrixXd Orthonormalize(Panel& w, double length = 0.0) const
   {
-    const Eigen::MatrixXd gram = this->Project(PanelRange(&w, 1), w);
+    const Eigen::MatrixXd gram = this->Project(PanelRange(&w, 1), &w, 1);
     const Eigen::LLT<Eigen::MatrixXd> cholesky(0.5 * (gram + gram.transpose()));
     Eigen::MatrixXd r = cholesky.matrixU();
     if (cholesky.info() != Eigen::Success ||
-      !(r.diagonal().minCoeff() > Exhausted * r.diagonal().maxCoeff()))
+      !(r.diagonal().minCoeff() > Exhausted * std::max(length, r.diagonal().maxCoeff())))
     {
       return {};
     }
@@ -120,33 +140,13 @@ private:
   }
 
   PanelRange All() const { return PanelRange(this->Basis.data(), this->Basis.size()); }
-  PanelRange Recent() const
+  PanelRange Last(std::size_t count) const
   {
-    const std::size_t count = std::min<std::size_t>(2, this->Basis.size() - this->Locked);
-    return PanelRange(this->Basis.data() + this->Basis.size() - count, count);
+    const std::size_t there = std::min(count, this->Basis.size() - this->Locked);
+    return PanelRange(this->Basis.data() + this->Basis.size() - there, there);
   }
 
-  // Orthonormalises a block against all before it and appends it; returns R, empty on breakdown.
-  Eigen::MatrixXd Append(Panel w)
-  {
-    this->TakeOut(this->All(), w);
-    const Eigen::MatrixXd first = this->Orthonormalize(w);
-    if (first.size() == 0)
-    {
-      return {};
-    }
-    if (this->Basis.size() > this->Locked)
-    {
-      this->TakeOut(this->Recent(), w);
-    }
-    const Eigen::MatrixXd second = this->Orthonormalize(w);
-    if (second.size() == 0)
-    {
-      return {};
-    }
-    this->Basis.push_back(std::move(w));
-    return second * first;
-  }
+  bool Begin(Panel start);
 
   const ShiftedFactorization& Factorization;
   int Threads;
@@ -154,20 +154,81 @@ private:
   Panels Basis; // the locked panels, then the Krylov blocks
   std::vector<Eigen::MatrixXd> Diagonal;
   std::vector<Eigen::MatrixXd> Coupling;
+  std::size_t Unsettled = 0; // last blocks that are orthogonal to the two before them only
+  double Largest = 0.0;      // of the operator's eigenvalues, as far as the space shows
+  mutable Panels Product;    // room for M W
 };
 
+bool KrylovSpace::Begin(Panel start)
+{
+  for (int pass = 0; pass < 2; ++pass)
+  {
+    this->TakeOut(this->All(), &start);
+    if (this->Orthonormalize(start).size() == 0)
+    {
+      return false;
+    }
+  }
+  this->Basis.push_back(std::move(start));
+  return true;
+}
+
+// In exact arithmetic the image is orthogonal to all but the last two blocks. What rounding brings
+// back of the others is taken out for two blocks at a time, so that the basis goes by once for both,
+// unless it has grown so much that it would show in the projected operator.
 bool KrylovSpace::Extend()
 {
   Panel w;
   MultiplyPanel(this->Factorization.Mass(), this->Basis.back(), w, this->Threads);
-  this->Factorization.Solve(w);
-  // Almost all of it lies in the last two blocks; only then is what remains accurate enough to be
-  // taken out of the others in one pass.
-  const Eigen::MatrixXd recent = this->TakeOut(this->Recent(), w);
+  this->Factorization.Solve(w, this->Threads);
+  const Eigen::MatrixXd recent = this->TakeOut(this->Last(2), &w);
   const Eigen::MatrixXd diagonal = recent.bottomRows(PanelWidth);
   this->Diagonal.push_back(0.5 * (diagonal + diagonal.transpose()));
-  this->Coupling.push_back(this->Append(std::move(w)));
-  return this->Coupling.back().size() > 0;
+  this->Largest = std::max(this->Largest, diagonal.diagonal().cwiseAbs().maxCoeff());
+  Eigen::MatrixXd coupling = this->Orthonormalize(w);
+  if (coupling.size() > 0)
+  {
+    this->TakeOut(this->Last(2), &w);
+    const Eigen::MatrixXd again = this->Orthonormalize(w, 1.0);
+    coupling = again.size() > 0 ? Eigen::MatrixXd(again * coupling) : again;
+  }
+  this->Coupling.push_back(coupling);
+  if (coupling.size() == 0)
+  {
+    this->Settle();
+    return false;
+  }
+  this->Basis.push_back(std::move(w));
+  ++this->Unsettled;
+  const double growth = this->Largest / this->Coupling.back().diagonal().minCoeff();
+  return (this->Unsettled < 2 && growth < LargestGrowth) || this->Settle();
+}
+
+bool KrylovSpace::Settle()
+{
+  const std::size_t count = std::exchange(this->Unsettled, 0);
+  const std::size_t before = this->Basis.size() - count;
+  Panel* last = this->Basis.data() + before;
+  if (count > 0)
+  {
+    this->TakeOut(PanelRange(this->Basis.data(), before), last, count);
+  }
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    this->TakeOut(PanelRange(last, k), last + k);
+    const Eigen::MatrixXd r = this->Orthonormalize(last[k], 1.0);
+    const std::size_t block = before + k - this->Locked; // never the first
+    if (r.size() == 0)
+    {
+      this->Basis.resize(before + k);
+      this->Diagonal.resize(block);
+      this->Coupling.resize(block);
+      this->Coupling.back().resize(0, 0);
+      return false;
+    }
+    this->Coupling[block - 1] = (r * this->Coupling[block - 1]).eval();
+  }
+  return true;
 }
 
 Eigen::MatrixXd KrylovSpace::Projected() const
@@ -214,36 +275,102 @@ RitzPairs SolveProjected(const KrylovSpace& space)
   return ritz;
 }
 
-// The pairs that were asked for: large positive thetas are just above the shift, large negative
-// ones just below.
-std::vector<Index> WantedPairs(const Eigen::VectorXd& theta, const BandRequest& request)
+// The pairs that were asked for, ascending by eigenvalue, as far as they are there.
+struct Selection
 {
-  std::vector<Index> below;
-  std::vector<Index> above;
+  std::vector<Index> Pairs;
+  double NextValue = std::numeric_limits<double>::quiet_NaN();
+  bool Enough = false; ///< as many as were asked for
+};
+
+// Eigenvalue and number of each Ritz pair, ascending.
+std::vector<std::pair<double, Index>> SortedValues(const Eigen::VectorXd& theta, double shift)
+{
+  std::vector<std::pair<double, Index>> values;
   for (Index k = 0; k < theta.size(); ++k)
   {
-    (theta[k] < 0.0 ? below : above).push_back(k);
+    values.emplace_back(shift + 1.0 / theta[k], k);
   }
-  std::reverse(above.begin(), above.end());
-  if (!request.AnySide)
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+// How many of the ascending values to take, at least `least`, so that the next one is far: the first
+// comfortable gap, else the widest. 0 when there are too few.
+std::size_t EndBeforeGap(const std::vector<std::pair<double, Index>>& values, std::size_t least,
+  std::size_t window)
+{
+  if (values.size() <= least + window)
   {
-    below.resize(std::min(below.size(), static_cast<std::size_t>(request.Below)));
-    above.resize(std::min(above.size(), static_cast<std::size_t>(request.Above)));
+    return 0;
   }
-  below.insert(below.end(), above.begin(), above.end());
+  const double spacing = (values[least].first - values.front().first) / static_cast<double>(least);
+  std::size_t end = least;
+  double widest = 0.0;
+  for (std::size_t k = least; k < least + window; ++k)
+  {
+    const double gap = values[k].first - values[k - 1].first;
+    if (gap >= ComfortableGap * spacing)
+    {
+      return k;
+    }
+    if (gap > widest)
+    {
+      widest = gap;
+      end = k;
+    }
+  }
+  return end;
+}
+
+Selection SelectNearest(std::vector<std::pair<double, Index>> values, double shift, Index count)
+{
+  std::stable_sort(values.begin(), values.end(),
+    [shift](const auto& a, const auto& b)
+    { return std::abs(a.first - shift) < std::abs(b.first - shift); });
+  Selection selection;
+  selection.Enough = static_cast<Index>(values.size()) >= count;
+  values.resize(std::min(values.size(), static_cast<std::size_t>(count)));
+  std::sort(values.begin(), values.end());
+  for (const auto& [value, pair] : values)
+  {
+    selection.Pairs.push_back(pair);
+  }
+  return selection;
+}
+
+Selection SelectWanted(const Eigen::VectorXd& theta, double shift, const BandRequest& request)
+{
+  std::vector<std::pair<double, Index>> values = SortedValues(theta, shift);
   if (request.AnySide)
   {
-    std::stable_sort(below.begin(), below.end(),
-      [&theta](Index a, Index b) { return std::abs(theta[a]) > std::abs(theta[b]); });
-    below.resize(std::min(below.size(), static_cast<std::size_t>(request.Below + request.Above)));
+    return SelectNearest(std::move(values), shift, request.Below + request.Above);
   }
-  return below;
+  const auto firstAbove = std::partition_point(values.begin(), values.end(),
+    [shift](const auto& value) { return value.first < shift; });
+  const Index below = std::min<Index>(request.Below, firstAbove - values.begin());
+  values.erase(values.begin(), firstAbove - below);
+  const std::size_t end = EndBeforeGap(values, static_cast<std::size_t>(below + request.Above),
+    static_cast<std::size_t>(request.Window));
+  Selection selection;
+  selection.Enough = below == request.Below && end > 0;
+  if (end > 0)
+  {
+    selection.NextValue = values[end].first;
+    values.resize(end);
+  }
+  for (const auto& [value, pair] : values)
+  {
+    selection.Pairs.push_back(pair);
+  }
+  return selection;
 }
 
 // The wanted pairs whose residuals are over the tolerance. What a vector holds of others, up to the
 // highest frequency wanted, weighs by their eigenvalue over its own in its relative residual.
+// `worst` becomes the largest excess, 1 at the tolerance.
 std::vector<Index> OpenPairs(const RitzPairs& ritz, const std::vector<Index>& wanted, double shift,
-  double tolerance)
+  double tolerance, double& worst)
 {
   double highest = 0.0;
   for (const Index k : wanted)
@@ -251,16 +378,46 @@ std::vector<Index> OpenPairs(const RitzPairs& ritz, const std::vector<Index>& wa
     highest = std::max(highest, shift + 1.0 / ritz.Theta[k]);
   }
   std::vector<Index> open;
+  worst = 0.0;
   for (const Index k : wanted)
   {
     const double value = std::max(0.0, shift + 1.0 / ritz.Theta[k]);
-    if (ritz.Impurity(k) * (highest + 1.0) > PartOfTolerance * tolerance * (value + 1.0))
+    const double excess =
+      ritz.Impurity(k) * (highest + 1.0) / (PartOfTolerance * tolerance * (value + 1.0));
+    worst = std::max(worst, excess);
+    if (excess > 1.0)
     {
       open.push_back(k);
     }
   }
   return open;
 }
+
+// Residuals fall by about the same factor with every block once they begin to: foretells when the
+// last one will be small enough, since looking is expensive.
+class Convergence
+{
+public:
+  /// Blocks from `size` on until the excess should be 1.
+  Index StepsToGo(Index size, double excess)
+  {
+    double factor = UsualFactor;
+    if (this->LastSize > 0 && excess < this->LastExcess)
+    {
+      const auto steps = static_cast<double>((size - this->LastSize) / PanelWidth);
+      factor = std::max(std::log(this->LastExcess / excess) / steps, 0.5 * UsualFactor);
+    }
+    this->LastSize = size;
+    this->LastExcess = excess;
+    return std::max<Index>(1, static_cast<Index>(std::ceil(std::log(excess) / factor)));
+  }
+
+private:
+  static constexpr double UsualFactor = 1.5; // of the natural logarithm
+
+  Index LastSize = 0;
+  double LastExcess = 0.0;
+};
 
 // How much of eigenvector i approximate eigenvector j holds, e_ij, to first order: from
 // products_ij = e_ij + e_ji and energies_ij = lambda_i e_ij + lambda_j e_ji. Nearly equal
@@ -289,10 +446,10 @@ Eigen::MatrixXd ForeignShares(const Eigen::MatrixXd& energies, const Eigen::Matr
 class BlockLanczos : public ShiftInvertSolver
 {
 public:
-  BlockLanczos(const EigenProblem& problem, double tolerance, int threads)
-    : Problem(problem)
-    , Factorization(problem.Stiffness, problem.Mass)
-    , Tight(tolerance < TightTolerance)
+  BlockLanczos(const EigenProblem& problem, const EigensolverOptions& options, int threads)
+    : Factorization(problem.Stiffness, problem.Mass,
+        options.Nearby != nullptr ? options.Nearby->Order : Eigen::VectorXi())
+    , Tight(options.Tolerance < TightTolerance)
     , Threads(threads)
   {
   }
@@ -314,56 +471,74 @@ public:
     return this->Factorization.Factorize(shift);
   }
 
-  bool IsAccurate() const override { return this->Factorization.SolveError() < LargestSolveError; }
+  bool IsAccurate() const override
+  {
+    return this->Factorization.SolveError(this->Threads) < LargestSolveError;
+  }
 
-  Band FindNearest(const BandRequest& request, const Progress& progress) override;
+  Band FindNearest(BandRequest request, const Progress& progress) override;
+
+  const Eigen::SparseMatrix<double>& Stiffness() const override
+  {
+    return this->Factorization.Stiffness();
+  }
+  const Eigen::SparseMatrix<double>& Mass() const override { return this->Factorization.Mass(); }
+  const Eigen::VectorXi& Order() const override { return this->Factorization.Order(); }
 
 private:
   Band Polished(const KrylovSpace& space, const RitzPairs& ritz,
     const std::vector<Index>& kept) const;
-  Eigen::MatrixXd Gram(const Eigen::SparseMatrix<double>& a, const Panels& vectors) const;
-  Eigen::VectorXd RayleighQuotients(const Panels& vectors) const;
   void LeaveOutInaccurate(Band& band, double tolerance) const;
+  double ResidualFloor(const Band& band, Index column) const;
 
-  const EigenProblem& Problem;
   ShiftedFactorization Factorization;
   bool Tight;
   int Threads;
   double Shift = 0.0;
 };
 
-Band BlockLanczos::FindNearest(const BandRequest& request, const Progress& progress)
+Band BlockLanczos::FindNearest(BandRequest request, const Progress& progress)
 {
   const Index count = request.Below + request.Above;
-  KrylovSpace space(this->Factorization, ToPanels(request.Locked, this->Factorization.Order()),
+  const Index locked = PanelWidth * static_cast<Index>(request.Locked.size());
+  const bool isFirst = !request.Locked.empty();
+  const bool isGuess = request.Start.size() > 0;
+  KrylovSpace space(this->Factorization, std::move(request.Locked), std::move(request.Start),
     static_cast<std::uint64_t>(request.Attempt), this->Threads);
   // What it takes as a rule, and never more than what a hopeless band may cost.
-  const double expected = 2.0 * static_cast<double>(count) + 100.0;
-  const Index limit =
-    std::min(this->Factorization.Size() - request.Locked.cols() - PanelWidth, 5 * count + 200);
-  Index nextCheck = count + std::max<Index>(count / 2, 4 * PanelWidth);
+  const double expected = 2.1 * static_cast<double>(count) + 130.0;
+  const Index limit = std::min(this->Factorization.Size() - locked - PanelWidth, 5 * count + 200);
+  // Converged pairs on the other side of a shift take room as well.
+  const double usual =
+    (isFirst ? 1.5 : 2.1) * static_cast<double>(count) + (isGuess ? 60.0 : 120.0);
+  Index nextCheck = static_cast<Index>(usual);
   RitzPairs ritz;
-  std::vector<Index> wanted;
+  Selection selection;
   std::vector<Index> open;
+  Convergence convergence;
   for (bool done = false; !done;)
   {
-    const bool extended = space.Extend();
+    bool extended = space.Extend();
     progress.Report(0.9 * std::min(1.0, static_cast<double>(space.Size()) / expected));
     const bool last = !extended || space.Size() >= limit;
     if (!last && space.Size() < nextCheck)
     {
       continue;
     }
+    extended = space.Settle() && extended;
     ritz = SolveProjected(space);
-    wanted = WantedPairs(ritz.Theta, request);
-    open = OpenPairs(ritz, wanted, this->Shift, request.Tolerance);
-    done = last || (open.empty() && static_cast<Index>(wanted.size()) == count);
-    nextCheck = space.Size() + std::max<Index>(PanelWidth, static_cast<Index>(open.size()) / 2);
+    selection = SelectWanted(ritz.Theta, this->Shift, request);
+    double worst = 0.0;
+    open = OpenPairs(ritz, selection.Pairs, this->Shift, request.Tolerance, worst);
+    done = last || !extended || (open.empty() && selection.Enough);
+    nextCheck = space.Size() + convergence.StepsToGo(space.Size(), worst) * PanelWidth;
   }
+  std::vector<Index>& wanted = selection.Pairs;
   wanted.erase(std::remove_if(wanted.begin(), wanted.end(),
                  [&open](Index k) { return std::find(open.begin(), open.end(), k) != open.end(); }),
     wanted.end());
   Band band = this->Polished(space, ritz, wanted);
+  band.NextValue = selection.NextValue;
   if (request.Attempt == 0)
   {
     this->LeaveOutInaccurate(band, request.Tolerance);
@@ -389,75 +564,63 @@ Band BlockLanczos::Polished(const KrylovSpace& space, const RitzPairs& ritz,
   Panels vectors = space.Combine(coefficients);
   this->Factorization.SolveWithMass(vectors, this->Tight, this->Threads);
 
-  const Eigen::VectorXd values = this->RayleighQuotients(vectors).head(count);
-  Eigen::MatrixXd foreign = Eigen::MatrixXd::Zero(PanelWidth * static_cast<Index>(vectors.size()),
-    PanelWidth * static_cast<Index>(vectors.size()));
-  foreign.topLeftCorner(count, count) =
-    ForeignShares(this->Gram(this->Factorization.Stiffness(), vectors),
-      this->Gram(this->Factorization.Mass(), vectors), values);
-  const Panels before = vectors;
-  for (std::size_t k = 0; k < vectors.size(); ++k)
+  const Eigen::MatrixXd energies = GramOfPanels(this->Stiffness(), vectors, this->Threads);
+  const Eigen::MatrixXd products = GramOfPanels(this->Mass(), vectors, this->Threads);
+  const Eigen::VectorXd values =
+    energies.diagonal().head(count).cwiseQuotient(products.diagonal().head(count));
+  const Eigen::MatrixXd pure = Eigen::MatrixXd::Identity(count, count) -
+    ForeignShares(energies.topLeftCorner(count, count), products.topLeftCorner(count, count),
+      values);
+  // Orthonormal to the last digit at the same time: pure R^-1 with R^T R its Gram matrix.
+  const Eigen::LLT<Eigen::MatrixXd> cholesky(
+    pure.transpose() * products.topLeftCorner(count, count) * pure);
+  if (cholesky.info() != Eigen::Success)
   {
-    SubtractPanels(before, foreign.middleCols(PanelWidth * static_cast<Index>(k), PanelWidth),
-      vectors[k], this->Threads);
+    throw SolverFailure("the computed harmonics are linearly dependent");
   }
-  Band band;
-  for (Index i = 0; i < count; ++i)
-  {
-    band.Values.push_back(values[i]);
-    band.Vectors.emplace_back(ColumnOf(vectors, i, this->Factorization.Order()));
-  }
-  return band;
+  const Eigen::MatrixXd mixture = cholesky.matrixU().solve<Eigen::OnTheRight>(pure);
+  return { { values.data(), values.data() + count }, CombinePanels(vectors, mixture, this->Threads),
+    true };
 }
 
-// V^T A V
-Eigen::MatrixXd BlockLanczos::Gram(const Eigen::SparseMatrix<double>& a,
-  const Panels& vectors) const
-{
-  const Index size = PanelWidth * static_cast<Index>(vectors.size());
-  Eigen::MatrixXd gram(size, size);
-  Panel product;
-  for (std::size_t k = 0; k < vectors.size(); ++k)
-  {
-    MultiplyPanel(a, vectors[k], product, this->Threads);
-    gram.middleCols(PanelWidth * static_cast<Index>(k), PanelWidth) =
-      ProjectPanel(vectors, product, this->Threads);
-  }
-  return gram;
-}
-
-// v^T S v / v^T M v
-Eigen::VectorXd BlockLanczos::RayleighQuotients(const Panels& vectors) const
-{
-  Eigen::VectorXd quotients(PanelWidth * static_cast<Index>(vectors.size()));
-  Panel product;
-  for (std::size_t k = 0; k < vectors.size(); ++k)
-  {
-    MultiplyPanel(this->Factorization.Stiffness(), vectors[k], product, this->Threads);
-    const Eigen::VectorXd energy = vectors[k].cwiseProduct(product).colwise().sum();
-    MultiplyPanel(this->Factorization.Mass(), vectors[k], product, this->Threads);
-    const Eigen::VectorXd norm = vectors[k].cwiseProduct(product).colwise().sum();
-    quotients.segment(PanelWidth * static_cast<Index>(k), PanelWidth) = energy.cwiseQuotient(norm);
-  }
-  return quotients;
-}
-
+// Leaves out pairs whose residuals are over the tolerance, and more than rounding makes them.
 void BlockLanczos::LeaveOutInaccurate(Band& band, double tolerance) const
 {
-  Band kept;
+  Eigen::VectorXd values =
+    Eigen::VectorXd::Zero(PanelWidth * static_cast<Index>(band.Vectors.size()));
+  std::copy(band.Values.begin(), band.Values.end(), values.begin());
+  const Eigen::VectorXd residuals =
+    PanelResiduals(this->Stiffness(), this->Mass(), values, band.Vectors, this->Threads);
+  std::vector<Index> kept;
   for (std::size_t k = 0; k < band.Values.size(); ++k)
   {
-    const Eigen::VectorXd value = Eigen::VectorXd::Constant(1, band.Values[k]);
-    const auto& [stiffness, mass, kernel, rank] = this->Problem;
-    const double residual = RelativeResiduals(stiffness, mass, 1.0, value, band.Vectors[k])[0];
-    if (residual <= tolerance ||
-      residual <= tolerance + ResidualFloors(stiffness, mass, 1.0, value, band.Vectors[k])[0])
+    const auto column = static_cast<Index>(k);
+    if (residuals[column] <= tolerance ||
+      residuals[column] <= tolerance + this->ResidualFloor(band, column))
     {
-      kept.Values.push_back(band.Values[k]);
-      kept.Vectors.push_back(std::move(band.Vectors[k]));
+      kept.push_back(column);
     }
   }
-  band = std::move(kept);
+  if (kept.size() == band.Values.size())
+  {
+    return;
+  }
+  Band rest;
+  for (const Index column : kept)
+  {
+    rest.Values.push_back(values[column]);
+  }
+  rest.Vectors = SelectColumns(band.Vectors, kept, this->Threads);
+  band = std::move(rest);
+}
+
+double BlockLanczos::ResidualFloor(const Band& band, Index column) const
+{
+  const Eigen::VectorXd vector =
+    band.Vectors[static_cast<std::size_t>(column / PanelWidth)].col(column % PanelWidth);
+  const Eigen::VectorXd value =
+    Eigen::VectorXd::Constant(1, band.Values[static_cast<std::size_t>(column)]);
+  return ResidualFloors(this->Stiffness(), this->Mass(), 1.0, value, vector)[0];
 }
 
 } // namespace
@@ -468,7 +631,7 @@ EigenPairs BlockLanczosEigensolver::Solve(const EigenProblem& problem,
   // Starting a thread costs more than it saves on few rows.
   const Index useful = problem.Stiffness.rows() / (4 * RowsPerChunk);
   const auto threads = static_cast<int>(std::clamp<Index>(useful, 1, std::max(1, options.Threads)));
-  BlockLanczos solver(problem, options.Tolerance, threads);
+  BlockLanczos solver(problem, options, threads);
   return SolveByBands(problem, options, solver, progress);
 }
 

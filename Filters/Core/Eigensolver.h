@@ -22,12 +22,21 @@ struct EigenProblem
   Index Rank = 0;                ///< number of finite eigenvalues
 };
 
+/// What a solver knows of a nearby problem, of a mesh with the same triangles.
+struct HeadStart
+{
+  Eigen::VectorXd Values;         ///< ascending, of a surface of area 1
+  const Eigen::MatrixXd* Vectors; ///< a column each, of any length
+  Eigen::VectorXi Order;          ///< see EigenPairs; may be empty
+};
+
 struct EigensolverOptions
 {
-  Index Count = 100;       ///< eigenpairs wanted, from the smallest; the kernel counts
-  Index BandSize = 0;      ///< eigenpairs per shift-invert band; 0: the solver's choice
-  double Tolerance = 1e-8; ///< relative residual (see RelativeResiduals)
-  int Threads = 1;         ///< at most; the result does not depend on it
+  Index Count = 100;                 ///< eigenpairs wanted, from the smallest; the kernel counts
+  Index BandSize = 0;                ///< eigenpairs per shift-invert band; 0: the solver's choice
+  double Tolerance = 1e-8;           ///< relative residual (see RelativeResiduals)
+  int Threads = 1;                   ///< at most; the result does not depend on it
+  const HeadStart* Nearby = nullptr; ///< makes it faster, if there
 };
 
 struct EigenPairs
@@ -35,6 +44,7 @@ struct EigenPairs
   Eigen::VectorXd Values;    ///< ascending; exactly 0 for the kernel
   Eigen::MatrixXd Vectors;   ///< a column each, M-orthonormal
   Eigen::VectorXd Residuals; ///< relative (see RelativeResiduals)
+  Eigen::VectorXi Order;     ///< in which the rows were eliminated, if the solver chose one
   Index Bands = 0;           ///< shift-invert bands that were used
   bool Complete = false;     ///< all that were wanted, and no eigenvalue below them is missing
 };
@@ -50,7 +60,7 @@ public:
     const Progress& progress) const = 0;
 };
 
-/// Makes vectors M-orthonormal that nearly are: V <- V L^-T with V^T M V = L L^T. Keeps order.
+/// Makes vectors M-orthonormal that nearly are: V <- V R^-1 with V^T M V = R^T R. Keeps order.
 void Orthonormalize(const Eigen::SparseMatrix<double>& mass, Eigen::MatrixXd& vectors);
 
 } // namespace spectralwatermark

@@ -33,21 +33,39 @@ constexpr double SignTie = 1e-6;
 // storage in double loses, far below what any change of shape worth the name causes.
 constexpr double AdoptionTolerance = 1e-6;
 
+// What a dense solver may be asked for by name: five such matrices take 4 GB.
+constexpr Index LargestDense = 10000;
+
 // Krylov spaces must not run out of vertices with mass, of which there are `rank`: a block's space
 // does so first. Where that could be, one vector at a time is safer and as fast; where there are
 // hardly more than harmonics wanted, only the dense solver is left.
-std::unique_ptr<Eigensolver> ChooseEigensolver(Index vertices, Index rank, Index wanted)
+SolverChoice ChooseSolver(Index vertices, Index rank, Index wanted)
 {
   const bool isTight = wanted > vertices / 2 || (rank < 4 * wanted + 100 && vertices <= MostDense);
   if (vertices <= SmallProblem || isTight)
   {
-    return std::make_unique<DenseEigensolver>();
+    return SolverChoice::Dense;
   }
-  if (rank < 5 * wanted + 1000)
+  return rank < 5 * wanted + 1000 ? SolverChoice::Spectra : SolverChoice::BlockLanczos;
+}
+
+std::unique_ptr<Eigensolver> CreateSolver(SolverChoice choice, Index vertices)
+{
+  switch (choice)
   {
-    return std::make_unique<SpectraEigensolver>();
+    case SolverChoice::Spectra:
+      return std::make_unique<SpectraEigensolver>();
+    case SolverChoice::Dense:
+      if (vertices > LargestDense)
+      {
+        throw InvalidInput("the dense solver is for up to " + std::to_string(LargestDense) +
+          " vertices, and this mesh has " + std::to_string(vertices) +
+          ": leave the choice of the solver to the filter");
+      }
+      return std::make_unique<DenseEigensolver>();
+    default:
+      return std::make_unique<BlockLanczosEigensolver>();
   }
-  return std::make_unique<BlockLanczosEigensolver>();
 }
 
 void CheckCount(const HarmonicsOptions& options, Index available)
@@ -99,9 +117,16 @@ void CheckConvergence(const EigenProblem& problem, const EigenPairs& pairs,
       " harmonics could be computed completely: ask for fewer, or "
       "for another band size");
   }
-  const Eigen::VectorXd allowed = options.Tolerance +
-    ResidualFloors(problem.Stiffness, problem.Mass, 1.0, pairs.Values, pairs.Vectors).array();
-  const Index failed = (pairs.Residuals.array() > allowed.array()).count();
+  Index failed = 0;
+  for (Index k = 0; k < pairs.Values.size(); ++k)
+  {
+    if (pairs.Residuals[k] > options.Tolerance)
+    {
+      const double floor = ResidualFloors(problem.Stiffness, problem.Mass, 1.0,
+        pairs.Values.segment(k, 1), pairs.Vectors.col(k))[0];
+      failed += pairs.Residuals[k] > options.Tolerance + floor ? 1 : 0;
+    }
+  }
   if (failed > 0)
   {
     throw SolverFailure(std::to_string(failed) + " of " + std::to_string(options.Count) +
@@ -131,18 +156,32 @@ ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
   solverOptions.BandSize = options.BandSize;
   solverOptions.Tolerance = options.Tolerance;
   solverOptions.Threads = options.Threads;
-  EigenPairs pairs = ChooseEigensolver(mesh.NumberOfVertices(), op.Rank, options.Count)
+  HeadStart nearby;
+  if (options.Nearby != nullptr && options.Nearby->Basis.rows() == mesh.NumberOfVertices())
+  {
+    nearby.Values = options.Nearby->Eigenvalues * options.Nearby->VertexMass.sum();
+    nearby.Vectors = &options.Nearby->Basis;
+    nearby.Order = options.Nearby->Elimination;
+    solverOptions.Nearby = &nearby;
+  }
+  const SolverChoice choice = options.Solver == SolverChoice::Automatic
+    ? ChooseSolver(mesh.NumberOfVertices(), op.Rank, options.Count)
+    : options.Solver;
+  EigenPairs pairs = CreateSolver(choice, mesh.NumberOfVertices())
                        ->Solve(problem, solverOptions, progress.Part(0.02, 0.98));
   CheckConvergence(problem, pairs, options);
 
   ManifoldHarmonics harmonics;
   harmonics.Eigenvalues = pairs.Values / area;
-  harmonics.Basis = std::move(pairs.Vectors) / std::sqrt(area);
+  harmonics.Basis = std::move(pairs.Vectors);
+  harmonics.Basis /= std::sqrt(area);
   FixSigns(harmonics.Basis);
   harmonics.Residuals = std::move(pairs.Residuals);
   harmonics.VertexMass = std::move(op.VertexMass);
   harmonics.Mass = std::move(op.Mass);
   harmonics.KernelDimension = op.Kernel.cols();
+  harmonics.Elimination = std::move(pairs.Order);
+  harmonics.Complete = pairs.Complete;
   progress.Report(1.0);
   return harmonics;
 }

@@ -11,6 +11,16 @@
 namespace spectralwatermark
 {
 
+enum class SolverChoice
+{
+  Automatic = 0,    ///< the fastest that is safe for the mesh
+  BlockLanczos = 1, ///< BlockLanczosEigensolver
+  Spectra = 2,      ///< SpectraEigensolver, the reference
+  Dense = 3         ///< DenseEigensolver, for small meshes
+};
+
+struct ManifoldHarmonics;
+
 struct HarmonicsOptions
 {
   Index Count = 100;                    ///< m, the constant harmonic included
@@ -18,6 +28,10 @@ struct HarmonicsOptions
   Index BandSize = 0;                   ///< harmonics per band; 0: the solver's choice
   double Tolerance = 1e-8;              ///< relative residual
   int Threads = 1;                      ///< at most; the result does not depend on it
+  SolverChoice Solver = SolverChoice::Automatic;
+  /// Of a mesh with the same triangles and nearly the same points: makes it faster. The result
+  /// differs by no more than the tolerance.
+  const ManifoldHarmonics* Nearby = nullptr;
 };
 
 /// The first m solutions of S h = lambda M h. Column 0 is the paper's H^1.
@@ -29,6 +43,8 @@ struct ManifoldHarmonics
   Eigen::VectorXd VertexMass;  ///< n, diagonal of D, in length^2
   SparseMatrix Mass;           ///< n x n, the inner product
   Index KernelDimension = 1;   ///< number of components with area: that many eigenvalues are 0
+  Eigen::VectorXi Elimination; ///< order in which the solver eliminated vertices; may be empty
+  bool Complete = false;       ///< no eigenvalue below the last is missing: counted, not assumed
 
   Index Count() const { return this->Basis.cols(); }
 };
@@ -36,7 +52,8 @@ struct ManifoldHarmonics
 /// Computes the basis. The sign is such that each harmonic's entry of largest magnitude is
 /// positive (the first of them, when several agree to 1e-6); the constant is positive.
 ///
-/// Throws InvalidInput when the mesh cannot carry that many harmonics, SolverFailure when they
+/// Throws InvalidInput when the mesh cannot carry that many harmonics or is too large for the
+/// solver asked for, SolverFailure when they
 /// do not converge to the tolerance or cannot be shown to be complete, Aborted.
 ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
   const HarmonicsOptions& options, const Progress& progress = Progress());

@@ -1,59 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Panels.h"
 
+#include "PanelRows.h"
 #include "Parallel.h"
 
-// The widest instructions that the machine has are chosen when the library is loaded; sanitizers
-// cannot run that early.
-#ifdef __has_feature
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define CHOSEN_TOO_EARLY
+#ifdef __linux__
+#include <sys/mman.h>
 #endif
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define CHOSEN_TOO_EARLY
-#endif
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(CHOSEN_TOO_EARLY)
-#define WIDEST_INSTRUCTIONS __attribute__((target_clones("avx512f", "arch=haswell", "default")))
-#else
-#define WIDEST_INSTRUCTIONS
-#endif
+
+#include <cstdint>
 
 namespace spectralwatermark
 {
 
 using Eigen::Index;
 
-// A row of a panel. Aligned to a double only, as rows of any buffer are.
-typedef double Row __attribute__((vector_size(64), aligned(8), may_alias));
-
 namespace
 {
-
-inline const Row* Rows(const double* data)
-{
-  return reinterpret_cast<const Row*>(data);
-}
-inline Row* Rows(double* data)
-{
-  return reinterpret_cast<Row*>(data);
-}
 
 Index ChunkCount(Index rows)
 {
   return (rows + RowsPerChunk - 1) / RowsPerChunk;
 }
 
-// Where row `begin` of each panel is.
-std::vector<const double*> RowsFrom(const PanelRange& basis, Index begin)
-{
-  std::vector<const double*> rows;
-  for (Index k = 0; k < basis.Count; ++k)
-  {
-    rows.push_back(basis.First[k].data() + PanelWidth * begin);
-  }
-  return rows;
-}
+// A row of eight for each vector of a basis.
+using Small = Eigen::Matrix<double, Eigen::Dynamic, PanelWidth, Eigen::RowMajor>;
 
 } // namespace
 
@@ -80,10 +51,14 @@ WIDEST_INSTRUCTIONS void PanelOuter(const double* q, const double* y, Index rows
   }
 }
 
-// w += sign * sum over panels q_k c_k, c_k 8 x 8 row-major
-WIDEST_INSTRUCTIONS void PanelAccumulate(const double* const* q, Index panels, const double* c,
-  Index rows, double* w)
+// w += q c, c 8 x 8 row-major
+WIDEST_INSTRUCTIONS void PanelAccumulate(const double* q, const double* c, Index rows, double* w)
 {
+  Row right[8];
+  for (int j = 0; j < 8; ++j)
+  {
+    right[j] = Rows(c)[j];
+  }
   Index r = 0;
   for (; r + 4 <= rows; r += 4)
   {
@@ -92,17 +67,12 @@ WIDEST_INSTRUCTIONS void PanelAccumulate(const double* const* q, Index panels, c
     {
       sum[i] = Rows(w)[r + i];
     }
-    for (Index k = 0; k < panels; ++k)
+    const double* left = q + 8 * r;
+    for (int j = 0; j < 8; ++j)
     {
-      const double* left = q[k] + 8 * r;
-      const Row* right = Rows(c) + 8 * k;
-      for (int j = 0; j < 8; ++j)
+      for (int i = 0; i < 4; ++i)
       {
-        const Row row = right[j];
-        sum[0] += left[j] * row;
-        sum[1] += left[8 + j] * row;
-        sum[2] += left[16 + j] * row;
-        sum[3] += left[24 + j] * row;
+        sum[i] += left[8 * i + j] * right[j];
       }
     }
     for (int i = 0; i < 4; ++i)
@@ -113,36 +83,11 @@ WIDEST_INSTRUCTIONS void PanelAccumulate(const double* const* q, Index panels, c
   for (; r < rows; ++r)
   {
     Row sum = Rows(w)[r];
-    for (Index k = 0; k < panels; ++k)
+    for (int j = 0; j < 8; ++j)
     {
-      for (int j = 0; j < 8; ++j)
-      {
-        sum += q[k][8 * r + j] * Rows(c)[8 * k + j];
-      }
+      sum += q[8 * r + j] * right[j];
     }
     Rows(w)[r] = sum;
-  }
-}
-
-WIDEST_INSTRUCTIONS void SolveColumns(const int* outer, const int* inner, const double* value,
-  const double* inverseD, Index n, double* x)
-{
-  for (Index j = 0; j < n; ++j)
-  {
-    const Row xj = Rows(x)[j];
-    for (int p = outer[j]; p < outer[j + 1]; ++p)
-    {
-      Rows(x)[inner[p]] -= value[p] * xj;
-    }
-  }
-  for (Index j = n - 1; j >= 0; --j)
-  {
-    Row sum = inverseD[j] * Rows(x)[j];
-    for (int p = outer[j]; p < outer[j + 1]; ++p)
-    {
-      sum -= value[p] * Rows(x)[inner[p]];
-    }
-    Rows(x)[j] = sum;
   }
 }
 
@@ -160,46 +105,150 @@ WIDEST_INSTRUCTIONS void MultiplyRows(const int* outer, const int* inner, const 
   }
 }
 
-Eigen::MatrixXd ProjectPanel(const PanelRange& basis, const Panel& y, int threads)
+namespace
 {
-  const Index count = basis.Count;
-  const Index chunks = ChunkCount(y.rows());
-  using Small = Eigen::Matrix<double, Eigen::Dynamic, PanelWidth, Eigen::RowMajor>;
+
+// The columns of C for each panel that comes out, filled up with zeros in both directions.
+std::vector<Small> CoefficientsByPanel(const Eigen::MatrixXd& c, const PanelRange& basis)
+{
+  std::vector<Small> coefficients;
+  for (Index first = 0; first < c.cols(); first += PanelWidth)
+  {
+    const Index columns = std::min(PanelWidth, c.cols() - first);
+    coefficients.emplace_back(Small::Zero(PanelWidth * basis.Count, PanelWidth));
+    coefficients.back().topLeftCorner(c.rows(), columns) = c.middleCols(first, columns);
+  }
+  return coefficients;
+}
+
+} // namespace
+
+Panel MakePanel(Index rows)
+{
+  Panel panel(rows, PanelWidth);
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+  constexpr std::uintptr_t hugePage = std::uintptr_t{ 1 } << 21;
+  const auto begin = reinterpret_cast<std::uintptr_t>(panel.data());
+  const std::uintptr_t first = (begin + hugePage - 1) / hugePage * hugePage;
+  const std::uintptr_t end =
+    (begin + static_cast<std::size_t>(panel.size()) * sizeof(double)) / hugePage * hugePage;
+  if (end > first)
+  {
+    madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE); // a hint: may fail
+  }
+#endif
+  return panel;
+}
+
+namespace
+{
+
+// Q^T Y, with the rows of Y multiplied by `scale` if there is one.
+Eigen::MatrixXd ProjectScaled(const PanelRange& basis, const PanelRange& y, const double* scale,
+  int threads)
+{
+  const Index rows = basis.Count > 0 ? basis.First[0].rows() : 0;
+  const Index chunks = ChunkCount(rows);
   // A partial sum for each group of chunks: few enough to add up, the same for any threads.
   const Index groups = std::min<Index>(chunks, 8);
-  std::vector<Small> partial(static_cast<std::size_t>(groups), Small::Zero(8 * count, 8));
+  const Index pairs = basis.Count * y.Count;
+  std::vector<Small> partial(static_cast<std::size_t>(groups), Small::Zero(8 * pairs, 8));
   ForEachTask(threads, groups,
     [&](Index group)
     {
-      Small& sum = partial[static_cast<std::size_t>(group)];
+      double* sum = partial[static_cast<std::size_t>(group)].data();
+      Panels scaled(scale != nullptr ? static_cast<std::size_t>(y.Count) : 0);
+      std::vector<const double*> right(static_cast<std::size_t>(y.Count));
       for (Index chunk = group * chunks / groups; chunk < (group + 1) * chunks / groups; ++chunk)
       {
         const Index begin = chunk * RowsPerChunk;
-        const Index rows = std::min(RowsPerChunk, y.rows() - begin);
-        for (Index k = 0; k < count; ++k)
+        const Index count = std::min(RowsPerChunk, rows - begin);
+        for (Index j = 0; j < y.Count; ++j)
         {
-          PanelOuter(basis.First[k].data() + 8 * begin, y.data() + 8 * begin, rows,
-            sum.data() + 64 * k);
+          const auto column = static_cast<std::size_t>(j);
+          right[column] = y.First[j].data() + 8 * begin;
+          if (scale != nullptr)
+          {
+            scaled[column] = Eigen::Map<const Eigen::VectorXd>(scale + begin, count).asDiagonal() *
+              y.First[j].middleRows(begin, count);
+            right[column] = scaled[column].data();
+          }
+        }
+        for (Index pair = 0; pair < pairs; ++pair)
+        {
+          PanelOuter(basis.First[pair / y.Count].data() + 8 * begin,
+            right[static_cast<std::size_t>(pair % y.Count)], count, sum + 64 * pair);
         }
       }
     });
-  for (Index group = 1; group < groups; ++group)
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(8 * basis.Count, 8 * y.Count);
+  for (const Small& sum : partial)
   {
-    partial[0] += partial[static_cast<std::size_t>(group)];
+    for (Index pair = 0; pair < pairs; ++pair)
+    {
+      result.block<8, 8>(8 * (pair / y.Count), 8 * (pair % y.Count)) += sum.middleRows<8>(8 * pair);
+    }
   }
-  return partial[0];
+  return result;
 }
 
-void SubtractPanels(const PanelRange& basis, const Eigen::MatrixXd& c, Panel& w, int threads)
+bool IsDiagonal(const Eigen::SparseMatrix<double>& a)
 {
-  const Eigen::Matrix<double, Eigen::Dynamic, PanelWidth, Eigen::RowMajor> negative = -c;
-  ForEachTask(threads, ChunkCount(w.rows()),
+  if (a.nonZeros() != a.cols())
+  {
+    return false;
+  }
+  for (Index j = 0; j < a.cols(); ++j)
+  {
+    if (a.outerIndexPtr()[j] != j || a.innerIndexPtr()[j] != j)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+Eigen::MatrixXd ProjectPanels(const PanelRange& basis, const PanelRange& y, int threads)
+{
+  return ProjectScaled(basis, y, nullptr, threads);
+}
+
+Eigen::MatrixXd ProjectPanels(const PanelRange& basis, const Eigen::SparseMatrix<double>& a,
+  const PanelRange& y, Panels& product, int threads)
+{
+  if (IsDiagonal(a))
+  {
+    return ProjectScaled(basis, y, a.valuePtr(), threads);
+  }
+  product.resize(std::max(product.size(), static_cast<std::size_t>(y.Count)));
+  for (Index k = 0; k < y.Count; ++k)
+  {
+    MultiplyPanel(a, y.First[k], product[static_cast<std::size_t>(k)], threads);
+  }
+  return ProjectScaled(basis, PanelRange(product.data(), static_cast<std::size_t>(y.Count)),
+    nullptr, threads);
+}
+
+void SubtractPanels(const PanelRange& basis, const Eigen::MatrixXd& c, Panel* w, int threads)
+{
+  const Index outputs = c.cols() / PanelWidth;
+  const std::vector<Small> negative = CoefficientsByPanel(-c, basis);
+  ForEachTask(threads, basis.Count > 0 ? ChunkCount(basis.First[0].rows()) : 0,
     [&](Index chunk)
     {
       const Index begin = chunk * RowsPerChunk;
-      const std::vector<const double*> q = RowsFrom(basis, begin);
-      PanelAccumulate(q.data(), basis.Count, negative.data(),
-        std::min(RowsPerChunk, w.rows() - begin), w.data() + 8 * begin);
+      const Index rows = std::min(RowsPerChunk, basis.First[0].rows() - begin);
+      for (Index k = 0; k < basis.Count; ++k)
+      {
+        for (Index output = 0; output < outputs; ++output)
+        {
+          PanelAccumulate(basis.First[k].data() + PanelWidth * begin,
+            negative[static_cast<std::size_t>(output)].data() + 64 * k, rows,
+            w[output].data() + PanelWidth * begin);
+        }
+      }
     });
 }
 
@@ -215,14 +264,16 @@ void SolveTriangularRight(const Eigen::MatrixXd& r, Panel& w, int threads)
       const Index rows = std::min(RowsPerChunk, w.rows() - begin);
       const Panel old = w.middleRows(begin, rows);
       w.middleRows(begin, rows).setZero();
-      const double* q = old.data();
-      PanelAccumulate(&q, 1, inverse.data(), rows, w.data() + 8 * begin);
+      PanelAccumulate(old.data(), inverse.data(), rows, w.data() + 8 * begin);
     });
 }
 
 void MultiplyPanel(const Eigen::SparseMatrix<double>& a, const Panel& x, Panel& y, int threads)
 {
-  y.resize(x.rows(), PanelWidth);
+  if (y.rows() != x.rows())
+  {
+    y = MakePanel(x.rows());
+  }
   ForEachTask(threads, ChunkCount(x.rows()),
     [&](Index chunk)
     {
@@ -235,29 +286,77 @@ void MultiplyPanel(const Eigen::SparseMatrix<double>& a, const Panel& x, Panel& 
 Panels CombinePanels(const PanelRange& basis, const Eigen::MatrixXd& c, int threads)
 {
   const Index rows = basis.Count > 0 ? basis.First[0].rows() : 0;
-  const Index outputs = (c.cols() + PanelWidth - 1) / PanelWidth;
-  using Small = Eigen::Matrix<double, Eigen::Dynamic, PanelWidth, Eigen::RowMajor>;
-  std::vector<Small> coefficients;
-  for (Index output = 0; output < outputs; ++output)
+  const std::vector<Small> coefficients = CoefficientsByPanel(c, basis);
+  Panels result;
+  for (std::size_t output = 0; output < coefficients.size(); ++output)
   {
-    const Index columns = std::min(PanelWidth, c.cols() - output * PanelWidth);
-    coefficients.emplace_back(Small::Zero(PanelWidth * basis.Count, PanelWidth));
-    coefficients.back().topLeftCorner(c.rows(), columns) =
-      c.middleCols(output * PanelWidth, columns);
+    result.push_back(MakePanel(rows));
   }
-  Panels result(static_cast<std::size_t>(outputs), Panel::Zero(rows, PanelWidth));
   constexpr Index rowsPerTile = 256; // few enough that a tile of the whole basis stays in the cache
   ForEachTask(threads, (rows + rowsPerTile - 1) / rowsPerTile,
     [&](Index tile)
     {
       const Index begin = tile * rowsPerTile;
-      const std::vector<const double*> q = RowsFrom(basis, begin);
+      const Index count = std::min(rowsPerTile, rows - begin);
       for (std::size_t output = 0; output < result.size(); ++output)
       {
-        PanelAccumulate(q.data(), basis.Count, coefficients[output].data(),
-          std::min(rowsPerTile, rows - begin), result[output].data() + PanelWidth * begin);
+        result[output].middleRows(begin, count).setZero();
+        for (Index k = 0; k < basis.Count; ++k)
+        {
+          PanelAccumulate(basis.First[k].data() + PanelWidth * begin,
+            coefficients[output].data() + 64 * k, count,
+            result[output].data() + PanelWidth * begin);
+        }
       }
     });
+  return result;
+}
+
+Eigen::MatrixXd GramOfPanels(const Eigen::SparseMatrix<double>& a, const Panels& v, int threads)
+{
+  const Index size = PanelWidth * static_cast<Index>(v.size());
+  Eigen::MatrixXd gram(size, size);
+  Panels product;
+  for (std::size_t first = 0; first < v.size(); first += PanelsAtOnce)
+  {
+    const std::size_t count = std::min(PanelsAtOnce, v.size() - first);
+    const Index column = PanelWidth * static_cast<Index>(first);
+    const Index columns = PanelWidth * static_cast<Index>(count);
+    gram.block(0, column, column + columns, columns) =
+      ProjectPanels(PanelRange(v.data(), first + count), a, PanelRange(v.data() + first, count),
+        product, threads);
+  }
+  gram.triangularView<Eigen::StrictlyLower>() = gram.transpose();
+  return gram;
+}
+
+Panels SelectColumns(const Panels& panels, const std::vector<Index>& columns, int threads)
+{
+  const Index rows = panels.empty() ? 0 : panels.front().rows();
+  Panels result;
+  for (std::size_t first = 0; first < columns.size(); first += PanelWidth)
+  {
+    result.push_back(MakePanel(rows));
+    const std::size_t count = std::min<std::size_t>(PanelWidth, columns.size() - first);
+    double* target = result.back().data();
+    ForEachTask(threads, ChunkCount(rows),
+      [&](Index chunk)
+      {
+        const Index begin = chunk * RowsPerChunk;
+        const Index end = std::min(begin + RowsPerChunk, rows);
+        for (std::size_t c = 0; c < PanelWidth; ++c)
+        {
+          const Index column = c < count ? columns[first + c] : 0;
+          const double* source =
+            panels[static_cast<std::size_t>(column / PanelWidth)].data() + column % PanelWidth;
+          for (Index row = begin; row < end; ++row)
+          {
+            target[PanelWidth * row + static_cast<Index>(c)] =
+              c < count ? source[PanelWidth * row] : 0.0;
+          }
+        }
+      });
+  }
   return result;
 }
 
@@ -266,10 +365,11 @@ Panels ToPanels(const Eigen::MatrixXd& columns, const Eigen::VectorXi& order)
   Panels panels;
   for (Index first = 0; first < columns.cols(); first += PanelWidth)
   {
-    Panel panel = Panel::Zero(order.size(), PanelWidth);
+    Panel panel = MakePanel(order.size());
     const Index count = std::min(PanelWidth, columns.cols() - first);
     for (Index row = 0; row < order.size(); ++row)
     {
+      panel.row(row).tail(PanelWidth - count).setZero();
       panel.row(row).head(count) = columns.row(order[row]).segment(first, count);
     }
     panels.push_back(std::move(panel));
@@ -277,23 +377,34 @@ Panels ToPanels(const Eigen::MatrixXd& columns, const Eigen::VectorXi& order)
   return panels;
 }
 
-Eigen::VectorXd ColumnOf(const Panels& panels, Index column, const Eigen::VectorXi& order)
+Eigen::MatrixXd TakeColumns(Panels panels, const std::vector<Index>& columns,
+  const Eigen::VectorXi& order, int threads)
 {
-  const auto values =
-    panels[static_cast<std::size_t>(column / PanelWidth)].col(column % PanelWidth);
-  Eigen::VectorXd result(order.size());
-  for (Index row = 0; row < order.size(); ++row)
+  Eigen::MatrixXd result(order.size(), static_cast<Index>(columns.size()));
+  std::size_t begin = 0;
+  for (std::size_t k = 0; k < panels.size(); ++k)
   {
-    result[order[row]] = values[row];
+    std::size_t end = begin;
+    while (end < columns.size() && columns[end] / PanelWidth == static_cast<Index>(k))
+    {
+      ++end;
+    }
+    ForEachTask(threads, ChunkCount(order.size()),
+      [&](Index chunk)
+      {
+        const Index last = std::min((chunk + 1) * RowsPerChunk, order.size());
+        for (Index row = chunk * RowsPerChunk; row < last; ++row)
+        {
+          for (std::size_t c = begin; c < end; ++c)
+          {
+            result(order[row], static_cast<Index>(c)) = panels[k](row, columns[c] % PanelWidth);
+          }
+        }
+      });
+    panels[k].resize(0, PanelWidth);
+    begin = end;
   }
   return result;
-}
-
-void SolveFactorized(const Eigen::SparseMatrix<double>& l, const Eigen::VectorXd& inverseD,
-  Panel& x)
-{
-  SolveColumns(l.outerIndexPtr(), l.innerIndexPtr(), l.valuePtr(), inverseD.data(), x.rows(),
-    x.data());
 }
 
 } // namespace spectralwatermark

@@ -20,6 +20,10 @@ constexpr Eigen::Index PanelWidth = 8;
 using Panel = Eigen::Matrix<double, Eigen::Dynamic, PanelWidth, Eigen::RowMajor>;
 using Panels = std::vector<Panel>;
 
+/// So many panels are worked on together where a basis goes by: more push each other out of the
+/// cache.
+constexpr std::size_t PanelsAtOnce = 4;
+
 /// Some consecutive panels of a basis.
 struct PanelRange
 {
@@ -41,30 +45,46 @@ struct PanelRange
 /// sums come out the same to the last bit.
 constexpr Eigen::Index RowsPerChunk = 2048;
 
-/// Q^T Y for all panels Q of `basis`: a row for each of their vectors, eight columns.
-Eigen::MatrixXd ProjectPanel(const PanelRange& basis, const Panel& y, int threads);
+/// A panel with nothing in it yet. Large ones ask the system for huge pages, which what streams them
+/// from memory gains from.
+Panel MakePanel(Eigen::Index rows);
 
-/// W -= Q C, with C as ProjectPanel() gives it.
-void SubtractPanels(const PanelRange& basis, const Eigen::MatrixXd& c, Panel& w, int threads);
+/// Q^T Y: a row for each vector of `basis`, a column for each of `y`. The basis is streamed from
+/// memory once for all of `y`, which should be PanelsAtOnce panels or fewer.
+Eigen::MatrixXd ProjectPanels(const PanelRange& basis, const PanelRange& y, int threads);
+
+/// Q^T A Y for a symmetric A; `product` is room for A Y, kept to be used again. A diagonal A costs next
+/// to nothing.
+Eigen::MatrixXd ProjectPanels(const PanelRange& basis, const Eigen::SparseMatrix<double>& a,
+  const PanelRange& y, Panels& product, int threads);
+
+/// W -= Q C, with C as ProjectPanels() gives it; W are as many panels as C has columns for.
+void SubtractPanels(const PanelRange& basis, const Eigen::MatrixXd& c, Panel* w, int threads);
 
 /// W <- W R^-1 for an upper triangular R of size eight.
 void SolveTriangularRight(const Eigen::MatrixXd& r, Panel& w, int threads);
 
-/// Y = A X for a sparse symmetric A, or a row scaling when A is diagonal.
+/// Y = A X for a sparse symmetric A (compressed, as everywhere here).
 void MultiplyPanel(const Eigen::SparseMatrix<double>& a, const Panel& x, Panel& y, int threads);
 
-/// The linear combinations Q C of the basis, as panels, the last one filled up with zeros.
+/// The linear combinations Q C of the first vectors of the basis, as many as C has rows, as panels,
+/// the last one filled up with zeros.
 Panels CombinePanels(const PanelRange& basis, const Eigen::MatrixXd& c, int threads);
+
+/// V^T A V for a symmetric A.
+Eigen::MatrixXd GramOfPanels(const Eigen::SparseMatrix<double>& a, const Panels& v, int threads);
+
+/// The columns with these numbers (counted through all panels), in this order, as panels, the last
+/// one filled up with zeros.
+Panels SelectColumns(const Panels& panels, const std::vector<Eigen::Index>& columns, int threads);
 
 /// Columns as panels, the last one filled up with zeros: row i of a panel is row order[i].
 Panels ToPanels(const Eigen::MatrixXd& columns, const Eigen::VectorXi& order);
 
-/// The inverse of ToPanels() for one column.
-Eigen::VectorXd ColumnOf(const Panels& panels, Eigen::Index column, const Eigen::VectorXi& order);
-
-/// Solves L D L^T X = B in place for a unit lower triangular L without its diagonal, by columns.
-void SolveFactorized(const Eigen::SparseMatrix<double>& l, const Eigen::VectorXd& inverseD,
-  Panel& x);
+/// The inverse of ToPanels(), for the columns with these ascending numbers. Panels are freed one by
+/// one, so that the vectors are not in memory twice.
+Eigen::MatrixXd TakeColumns(Panels panels, const std::vector<Eigen::Index>& columns,
+  const Eigen::VectorXi& order, int threads);
 
 } // namespace spectralwatermark
 

@@ -2,7 +2,7 @@
 #ifndef SpectralWatermark_Core_ShiftedFactorization_h
 #define SpectralWatermark_Core_ShiftedFactorization_h
 
-#include "Panels.h"
+#include "Substitution.h"
 
 #include <Eigen/SparseCholesky>
 
@@ -19,8 +19,10 @@ class ShiftedFactorization
 public:
   using SparseMatrix = Eigen::SparseMatrix<double>;
 
-  /// Chooses the order; both matrices are kept in it.
-  ShiftedFactorization(const SparseMatrix& stiffness, const SparseMatrix& mass);
+  /// Both matrices are kept in the order of elimination: the one given, as from Order() of matrices
+  /// with the same pattern, or METIS's.
+  ShiftedFactorization(const SparseMatrix& stiffness, const SparseMatrix& mass,
+    const Eigen::VectorXi& order = Eigen::VectorXi());
 
   /// Factorises S - shift M; returns how many eigenvalues lie under the shift (Sylvester's law of
   /// inertia). Throws SolverFailure when it breaks down.
@@ -29,10 +31,10 @@ public:
   /// ||B - (S - shift M) X|| / ||B|| of a solve with a random right-hand side M Z. Factors without
   /// pivoting lose digits where a leading part of the matrix is nearly singular, which hangs on the
   /// shift: about 1e-14 as a rule, and rarely much more.
-  double SolveError() const;
+  double SolveError(int threads) const;
 
   /// X <- (S - shift M)^-1 X.
-  void Solve(Panel& x) const;
+  void Solve(Panel& x, int threads) const;
 
   /// X <- (S - shift M)^-1 M X for every panel; with `refine`, one step of iterative refinement
   /// takes away the noise that factors without pivoting leave.
@@ -49,12 +51,15 @@ public:
 private:
   using Ldlt = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
+  const SparseMatrix& L() const { return this->Factors.matrixL().nestedExpression(); }
+
   Eigen::VectorXi OriginalRow;
   SparseMatrix PermutedStiffness;
   SparseMatrix PermutedMass;
   SparseMatrix Shifted; // S - shift M
   Ldlt Factors;
   Eigen::VectorXd InverseD;
+  Substitution Substitute; // for the pattern of the factors
 };
 
 } // namespace spectralwatermark

@@ -11,8 +11,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace spectralwatermark
 {
@@ -115,6 +118,8 @@ class SpectraShiftInvert : public ShiftInvertSolver
 public:
   explicit SpectraShiftInvert(const EigenProblem& problem)
     : Problem(problem)
+    , SameOrder(Eigen::VectorXi::LinSpaced(problem.Mass.rows(), 0,
+        static_cast<int>(problem.Mass.rows()) - 1))
   {
     this->Factors.analyzePattern(problem.Stiffness + problem.Mass);
   }
@@ -133,24 +138,38 @@ public:
     return (this->Factors.vectorD().array() < 0.0).count();
   }
 
-  Band FindNearest(const BandRequest& request, const Progress& progress) override;
+  Band FindNearest(BandRequest request, const Progress& progress) override;
+
+  const SparseMatrix& Stiffness() const override { return this->Problem.Stiffness; }
+  const SparseMatrix& Mass() const override { return this->Problem.Mass; }
+  const Eigen::VectorXi& Order() const override { return this->SameOrder; }
 
 private:
+  Eigen::MatrixXd AllColumns(Panels panels) const
+  {
+    std::vector<Index> columns(static_cast<std::size_t>(PanelWidth) * panels.size());
+    std::iota(columns.begin(), columns.end(), Index{ 0 });
+    return TakeColumns(std::move(panels), columns, this->SameOrder, 1);
+  }
+
   const EigenProblem& Problem;
+  Eigen::VectorXi SameOrder;
   Factorization Factors;
   double Shift = 0.0;
 };
 
-Band SpectraShiftInvert::FindNearest(const BandRequest& request, const Progress& progress)
+Band SpectraShiftInvert::FindNearest(BandRequest request, const Progress& progress)
 {
   const Index n = this->Problem.Stiffness.rows();
   // Spectra counts from the shift to both sides alike.
   const bool oneSide = request.AnySide || request.Below == 0;
-  const Index count = std::min(
-    oneSide ? request.Below + request.Above : 2 * std::max(request.Below, request.Above), n - 2);
+  const Index above = request.Above + request.Window;
+  const Index count =
+    std::min(oneSide ? request.Below + above : 2 * std::max(request.Below, above), n - 2);
   const Index subspace = std::min(n, std::max<Index>(2 * count + 1, 24));
   SolveCounter counter(progress, subspace + count / 2);
-  ShiftInvertOperator op(this->Factors, this->Problem.Mass, request.Locked, counter);
+  const Eigen::MatrixXd locked = this->AllColumns(std::move(request.Locked));
+  ShiftInvertOperator op(this->Factors, this->Problem.Mass, locked, counter);
   MassOperator mass(this->Problem.Mass);
   Spectra::SymGEigsShiftSolver<ShiftInvertOperator, MassOperator, Spectra::GEigsMode::ShiftInvert>
     solver(op, mass, count, subspace, this->Shift);
@@ -169,15 +188,17 @@ Band SpectraShiftInvert::FindNearest(const BandRequest& request, const Progress&
 
   Band band;
   const Eigen::VectorXd values = solver.eigenvalues();
-  const Eigen::MatrixXd vectors = solver.eigenvectors();
+  std::vector<Index> finite;
   for (Index k = 0; k < values.size(); ++k)
   {
     if (std::isfinite(values[k]))
     {
+      finite.push_back(k);
       band.Values.push_back(values[k]);
-      band.Vectors.emplace_back(vectors.col(k));
     }
   }
+  const Eigen::MatrixXd vectors = solver.eigenvectors();
+  band.Vectors = ToPanels(vectors(Eigen::all, finite), this->SameOrder);
   return band;
 }
 

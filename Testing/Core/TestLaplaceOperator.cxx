@@ -3,6 +3,7 @@
 #include "Core/LaplaceOperator.h"
 #include "Support/Shapes.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
