@@ -5,7 +5,7 @@ BUILD_PACKAGES=(g++ cmake ninja-build libvtk9-dev python3-vtk9 python3-numpy lib
   libspectra-dev libsodium-dev libmetis-dev)
 DEMO_PACKAGES=(glmark2-data python3-tqdm xvfb xauth libgl1-mesa-dri)
 TEST_PACKAGES=(libgtest-dev clang-format)
-FULL_TEST_PACKAGES=(clang clang-tidy)
+FULL_TEST_PACKAGES=(clang clang-tidy libomp-dev)
 
 install_missing() {
   local package missing=()

@@ -45,12 +45,14 @@ EmbeddingResult EmbedMessage(const TriangleMesh& original, const EmbeddingOption
 
   EmbeddingResult result;
   TriangleMesh mesh = original;
-  const auto computeBasis = [&]()
+  // Each marked mesh is near the one before: so is its basis.
+  const auto computeBasis = [&](const ManifoldHarmonics* nearby)
   {
     const Progress part = PartOfSolve(progress, result.Eigensolves++);
+    harmonicsOptions.Nearby = nearby;
     return ComputeManifoldHarmonics(mesh, harmonicsOptions, part);
   };
-  ManifoldHarmonics basis = firstBasis ? *firstBasis : computeBasis();
+  ManifoldHarmonics basis = firstBasis ? *firstBasis : computeBasis(nullptr);
   CheckSlotsAboveKernel(options.Slots, basis.KernelDimension);
 
   Spectrum spectrum = ForwardTransform(basis, mesh.Points);
@@ -66,7 +68,7 @@ EmbeddingResult EmbedMessage(const TriangleMesh& original, const EmbeddingOption
     {
       RoundToFloat(mesh.Points);
     }
-    basis = computeBasis();
+    basis = computeBasis(&basis);
     spectrum = ForwardTransform(basis, mesh.Points);
     readings = ReadSlots(Magnitudes(spectrum), options.Slots, bits);
     result.History.push_back(readings);
