@@ -72,12 +72,16 @@ def _ramp(points: list[tuple[float, float, float, float]]) -> vtkColorTransferFu
     return ramp
 
 
-def view_of(mesh: vtkPolyData) -> vtkCamera:
+def view_of(
+    mesh: vtkPolyData,
+    front: tuple[float, float, float] = (0.0, 0.0, 1.0),
+    up: tuple[float, float, float] = (0.0, 1.0, 0.0),
+) -> vtkCamera:
     """A camera from the front, a little above and to the right, that the mesh just fills."""
     renderer = vtkRenderer()
     camera = renderer.GetActiveCamera()
-    camera.SetViewUp(0.0, 1.0, 0.0)
-    camera.SetPosition(0.35, 0.25, 1.0)
+    camera.SetViewUp(up)
+    camera.SetPosition(np.array(front) + 0.35 * np.cross(up, front) + 0.25 * np.array(up))
     camera.SetViewAngle(20.0)
     renderer.ResetCamera(mesh.GetBounds())
     to_camera = np.array([[camera.GetViewTransformMatrix().GetElement(row, column)

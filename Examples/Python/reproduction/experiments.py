@@ -10,6 +10,7 @@ import numpy as np
 from spectralwatermark import (
     vtkMeshAttack,
     vtkMeshDistortion,
+    vtkSpectralWatermarkAlgorithm,
     vtkSpectralWatermarkDetect,
     vtkSpectralWatermarkEmbed,
 )
@@ -93,13 +94,19 @@ def embed(model: Model, mode: Mode, message: str) -> tuple[vtkSpectralWatermarkE
     """The filter after its run, and where its first slot begins."""
     mesh, first = original_of(model)
     embedding = vtkSpectralWatermarkEmbed()
-    embedding.SetInputData(mesh)
     embedding.SetMessage(message)
-    embedding.SetFirstComponent(first)
-    embedding.SetSlotDivision(mode.division)
-    embedding.SetBitEmbedding(mode.embedding)
-    update(embedding)
+    _run(embedding, mesh, mode, first)
     return embedding, first
+
+
+def _run(
+    watermark: vtkSpectralWatermarkAlgorithm, mesh: vtkPolyData, mode: Mode, first: int
+) -> None:
+    watermark.SetInputData(mesh)
+    watermark.SetFirstComponent(first)
+    watermark.SetSlotDivision(mode.division)
+    watermark.SetBitEmbedding(mode.embedding)
+    update(watermark)
 
 
 def attacked(mesh: vtkPolyData, attack: Attack, seed: int) -> vtkPolyData:
@@ -123,14 +130,10 @@ def smoothing_harmonics(mesh: vtkPolyData) -> int:
 def read(mesh: vtkPolyData, mode: Mode, first: int, message: str) -> dict:
     """What the detector makes of a mesh, with nothing but the mesh."""
     detector = vtkSpectralWatermarkDetect()
-    detector.SetInputData(mesh)
     detector.SetExpectedMessage(message)
-    detector.SetFirstComponent(first)
-    detector.SetSlotDivision(mode.division)
-    detector.SetBitEmbedding(mode.embedding)
     # No rate is asked for: five bits could not reach any that proves something.
     detector.SetFalsePositiveRate(1.0)
-    update(detector)
+    _run(detector, mesh, mode, first)
     return {
         "read": detector.GetExtractedMessage(),
         "errors": round(detector.GetBitErrorRate() * len(message)),

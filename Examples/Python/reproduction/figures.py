@@ -22,10 +22,11 @@ from spectralwatermark import (
 )
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator, vtkTable
+from vtkmodules.vtkRenderingCore import vtkCamera
 
 from . import experiments
 from .experiments import ATTACK, MODE, Mode
-from .models import Model
+from .models import ORIENTATIONS, UPRIGHT, Model
 from .roc import Curve
 from .running import read_mesh, update
 from .spectra import harmonics_of, magnitudes_of, original_of
@@ -115,7 +116,7 @@ def draw_harmonics(folder: Path, model: Model) -> list[dict]:
             panels.append(pictures.Panel(mesh, caption, "ManifoldHarmonics", number - 1,
                                          pictures.diverging(limit)))
     pictures.write_panels(folder / NAMES["2"], panels, columns=len(SHOWN_HARMONICS),
-                          size=SMALL_PANEL, camera=pictures.view_of(fine))
+                          size=SMALL_PANEL, camera=_camera(model, fine))
     return [{"vertices": [fine.GetNumberOfPoints(), coarse.GetNumberOfPoints()],
              "triangles": [fine.GetNumberOfPolys(), coarse.GetNumberOfPolys()],
              "similarity": similarity.tolist()}]
@@ -128,6 +129,10 @@ def similarities(reference: vtkPolyData, other: vtkPolyData) -> np.ndarray:
     similarity.SetInputData(1, other)
     update(similarity)
     return vtk_to_numpy(similarity.GetOutput().GetFieldData().GetArray("Similarity")).copy()
+
+
+def _camera(model: Model, mesh: vtkPolyData) -> vtkCamera:
+    return pictures.view_of(mesh, *ORIENTATIONS.get(model.name, UPRIGHT))
 
 
 def _harmonic(mesh: vtkPolyData, number: int) -> np.ndarray:
@@ -169,7 +174,7 @@ def draw_doubling(
         _draw_spectra(folder / spectrum_file, before, after)
     else:
         _draw_difference(folder / spectrum_file, after - before)
-    facts = _draw_change(folder / panels_file, original, changed,
+    facts = _draw_change(folder / panels_file, model, original, changed,
                          f"component {COMPONENT} doubled")
     return [facts | {"similarity": similarity.tolist(), "before": before.tolist(),
                      "after": after.tolist()}]
@@ -210,7 +215,9 @@ def _draw_difference(path: Path, difference: np.ndarray) -> None:
         ("component", "difference of magnitudes"))
 
 
-def _draw_change(path: Path, original: vtkPolyData, changed: vtkPolyData, what: str) -> dict:
+def _draw_change(
+    path: Path, model: Model, original: vtkPolyData, changed: vtkPolyData, what: str
+) -> dict:
     """Original, changed, and both differences in colour."""
     distortion = vtkMeshDistortion()
     distortion.SetInputData(0, original)
@@ -228,7 +235,7 @@ def _draw_change(path: Path, original: vtkPolyData, changed: vtkPolyData, what: 
         panels.append(pictures.Panel(coloured, title, array, 0, pictures.heat(limit),
                                      "percent of the bounding-box diagonal"))
     pictures.write_panels(path, panels, columns=2, size=LARGE_PANEL,
-                          camera=pictures.view_of(original))
+                          camera=_camera(model, original))
     return {"vertices": original.GetNumberOfPoints(),
             "geometric": 100.0 * distortion.GetGeomDiff(),
             "curvature": 100.0 * distortion.GetCurvDiff()}
@@ -287,7 +294,7 @@ def draw_mark(folder: Path, model: Model, mode_key: str, file: str) -> list[dict
     """A model before and after it was marked."""
     mode = MODE[mode_key]
     embed, facts = _mark(model, mode)
-    return [facts | _draw_change(folder / file, original_of(model)[0], embed.GetOutput(),
+    return [facts | _draw_change(folder / file, model, original_of(model)[0], embed.GetOutput(),
                                  f"marked with {facts['message']}")]
 
 
@@ -328,7 +335,7 @@ def draw_attack(
                                            f"{reading['errors']} wrong"))
     pictures.write_panels(folder / file, panels, columns=3 if len(panels) == 3 else 2,
                           size=LARGE_PANEL if len(panels) == 4 else 480,
-                          camera=pictures.view_of(original))
+                          camera=_camera(model, original))
     return [facts | {"readings": readings, "vertices": original.GetNumberOfPoints()}]
 
 

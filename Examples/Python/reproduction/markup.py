@@ -23,7 +23,8 @@ p, ul, ol { max-width: 44rem; }
 a { color: #1c5a96; text-decoration-thickness: 1px; text-underline-offset: 2px; }
 nav ol { columns: 2; column-gap: 2.5rem; padding-left: 1.3rem; font-size: .95rem; }
 nav li { break-inside: avoid; margin-bottom: .2rem; }
-.scroll { overflow-x: auto; margin: 1rem 0 .4rem; }
+.scroll { overflow-x: auto; margin: 1rem 0 .4rem; width: max-content;
+          max-width: max(100%, min(90rem, 50vw + 31rem)); }
 table { border-collapse: collapse; font-size: .85rem; line-height: 1.35;
         font-family: "Source Sans 3", "Helvetica Neue", Arial, "DejaVu Sans", sans-serif;
         font-variant-numeric: tabular-nums; }

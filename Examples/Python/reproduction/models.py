@@ -27,6 +27,12 @@ STAND_INS = {
     "Topology": ("casting", "fertility"),
 }
 
+# Scans that do not stand upright in their file: where their front is, and their top.
+ORIENTATIONS = {
+    "nefertiti": ((0.0, -1.0, 0.0), (0.0, 0.0, 1.0)),
+}
+UPRIGHT = ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0))
+
 
 class NoModels(Exception):
     """Something about the folder of meshes that the user can mend."""

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from html import escape
 from pathlib import Path
 
@@ -149,12 +150,19 @@ def _times(iterations: int) -> str:
 
 def write_marks(figures: Figures) -> str:
     """Figures 9 to 12: distortion in the four modes."""
-    parts = ["""
+    return """
 <h2 id="figures-marks">Figures 9 to 12: what a mark looks like</h2>
-<p>Original, marked, and both distortions in colour: one figure for each mode.</p>"""]
-    for number in ("9", "10", "11", "12"):
+<p>Original, marked, and both distortions in colour: one figure for each mode.</p>
+""" + _each(figures, ("9", "10", "11", "12"), _mark)
+
+
+def _each(
+    figures: Figures, numbers: Sequence[str], write: Callable[[Drawing, dict], str]
+) -> str:
+    parts = []
+    for number in numbers:
         found = figures.get(number)
-        parts.append(missing(number) if found is None else _mark(*found))
+        parts.append(missing(number) if found is None else write(*found))
     return "\n".join(parts)
 
 
@@ -176,11 +184,8 @@ def _marked(facts: dict) -> str:
 
 def write_attacks(figures: Figures) -> str:
     """Figures 13 to 16: attacked meshes."""
-    parts = ['<h3 id="figures-attacks">Figures 13 to 16: attacked meshes</h3>']
-    for number in ("13", "14", "15", "16"):
-        found = figures.get(number)
-        parts.append(missing(number) if found is None else _attack(*found))
-    return "\n".join(parts)
+    return ('<h3 id="figures-attacks">Figures 13 to 16: attacked meshes</h3>\n' +
+            _each(figures, ("13", "14", "15", "16"), _attack))
 
 
 def _attack(drawing: Drawing, facts: dict) -> str:
