@@ -51,7 +51,8 @@ public:
   {
     const auto kernel = static_cast<std::size_t>(problem.Kernel.cols());
     this->Append(
-      { std::vector<double>(kernel, 0.0), ToPanels(problem.Kernel, solver.Order()), true });
+      { std::vector<double>(kernel, 0.0), ToPanels(problem.Kernel, solver.Order()), true },
+      Progress());
   }
 
   bool Finished() const { return this->Found() >= this->Wanted; }
@@ -80,13 +81,13 @@ private:
   bool IsFirst() const { return this->Found() <= this->Problem.Kernel.cols(); }
   double LocalSpacing() const;
   double FirstReach() const;
-  void ChooseShift();
+  void ChooseShift(const Progress& progress);
   Panel Start() const;
   Panels Locked(const Band& band) const;
   void AddInInterval(Band found, Band& band) const;
-  bool Cut(Band& band, Index target);
-  void Append(Band band);
-  void TakeOutKnown(Panels& vectors) const;
+  bool Cut(Band& band, Index target, const Progress& progress);
+  void Append(Band band, const Progress& progress);
+  void TakeOutKnown(Panels& vectors, const Progress& progress) const;
 
   const EigenProblem& Problem;
   ShiftInvertSolver& Solver;
@@ -173,12 +174,12 @@ Panel BandSequence::Start() const
 // known or not wanted yet; one that is too near makes it grow on one side only. The very first may
 // have to lie under the spectrum, by a twelfth of what Weyl's law gives for the first eigenvalue
 // of a sphere: S + M is then well conditioned and the factorisation a Cholesky.
-void BandSequence::ChooseShift()
+void BandSequence::ChooseShift(const Progress& progress)
 {
   if (this->IsFirst() && !this->Solver.FirstShiftInside())
   {
     this->Shift = -1.0;
-    this->BelowShift = this->Solver.Factorize(this->Shift);
+    this->BelowShift = this->Solver.Factorize(this->Shift, progress);
     return;
   }
   const double base = this->IsFirst() ? 0.0 : this->LowerCut;
@@ -187,7 +188,7 @@ void BandSequence::ChooseShift()
   for (int attempt = 0; attempt < 8; ++attempt)
   {
     this->Shift = base + reach;
-    this->BelowShift = this->Solver.Factorize(this->Shift);
+    this->BelowShift = this->Solver.Factorize(this->Shift, progress);
     const double between = static_cast<double>(this->BelowShift - this->Found());
     const bool inMiddle =
       between <= 4.0 / 3.0 * half + 2.0 && (between >= half / 3.0 - 2.0 || attempt >= 4);
@@ -249,7 +250,7 @@ void BandSequence::AddInInterval(Band found, Band& band) const
 
 // Cuts the band in its widest gap at or after `target` pairs and counts. True when the band
 // then holds every eigenvalue between the two cuts.
-bool BandSequence::Cut(Band& band, Index target)
+bool BandSequence::Cut(Band& band, Index target, const Progress& progress)
 {
   const Index size = static_cast<Index>(band.Values.size());
   if (size < target)
@@ -282,7 +283,7 @@ bool BandSequence::Cut(Band& band, Index target)
   }
   const double upperCut =
     0.5 * (values[static_cast<std::size_t>(cut)] + values[static_cast<std::size_t>(cut - 1)]);
-  const Index below = this->Solver.Factorize(upperCut);
+  const Index below = this->Solver.Factorize(upperCut, progress);
   if (below != this->Found() + cut)
   {
     return false;
@@ -294,7 +295,7 @@ bool BandSequence::Cut(Band& band, Index target)
 
 // Eigenvectors of different bands are orthogonal but for what their residuals leave: one pass of
 // block Gram-Schmidt makes them so to the last digit.
-void BandSequence::TakeOutKnown(Panels& vectors) const
+void BandSequence::TakeOutKnown(Panels& vectors, const Progress& progress) const
 {
   Panels product;
   for (std::size_t first = 0; first < vectors.size(); first += PanelsAtOnce)
@@ -303,11 +304,12 @@ void BandSequence::TakeOutKnown(Panels& vectors) const
     const Eigen::MatrixXd known = ProjectPanels(this->Vectors, this->Solver.Mass(),
       PanelRange(vectors.data() + first, count), product, this->Threads);
     SubtractPanels(this->Vectors, known, vectors.data() + first, this->Threads);
+    progress.Report(static_cast<double>(first + count) / static_cast<double>(vectors.size()));
   }
 }
 
 // The first of the band's vectors, as many as it has values.
-void BandSequence::Append(Band band)
+void BandSequence::Append(Band band, const Progress& progress)
 {
   const std::size_t panels = (band.Values.size() + PanelWidth - 1) / PanelWidth;
   band.Vectors.resize(panels);
@@ -317,7 +319,7 @@ void BandSequence::Append(Band band)
     last.rightCols(PanelWidth * static_cast<Index>(panels) - static_cast<Index>(band.Values.size()))
       .setZero();
   }
-  this->TakeOutKnown(band.Vectors);
+  this->TakeOutKnown(band.Vectors, progress);
   if (!band.Orthonormal)
   {
     OrthonormalizeBand(this->Solver.Mass(), band.Vectors, this->Threads);
@@ -335,7 +337,7 @@ bool BandSequence::SolveBand(const Progress& progress)
 {
   ++this->Bands;
   const Index target = this->Target();
-  this->ChooseShift();
+  this->ChooseShift(progress.Part(0.0, 0.0));
   progress.Report(0.05);
 
   const Index below = std::max<Index>(0, this->BelowShift - this->Found());
@@ -343,14 +345,15 @@ bool BandSequence::SolveBand(const Progress& progress)
   Band band;
   for (int repair = 0; repair < MaximumRepairs; ++repair)
   {
+    // Each search takes a part of what remains.
+    const double begin = repair == 0 ? 0.05 : 0.95 - 0.1 / repair;
+    const double end = 0.95 - 0.1 / (repair + 1);
     if (repair > 0)
     {
       // What is missing may be so because the shift nearly hit an eigenvalue.
       this->Shift += ShiftStep * this->LocalSpacing();
-      this->Solver.Factorize(this->Shift);
+      this->Solver.Factorize(this->Shift, progress.Part(begin, begin));
     }
-    const double begin = repair == 0 ? 0.05 : 1.0 - 0.1 / repair;
-    const double end = 1.0 - 0.1 / (repair + 1);
     // Few are missing as a rule; a large cluster (many equal components) needs longer strides.
     const Index missing = CutWindow << std::min(std::max(0, repair - 1), 4);
     BandRequest request;
@@ -364,9 +367,9 @@ bool BandSequence::SolveBand(const Progress& progress)
     request.Attempt = repair;
     this->AddInInterval(this->Solver.FindNearest(std::move(request), progress.Part(begin, end)),
       band);
-    if (this->Cut(band, target))
+    if (this->Cut(band, target, progress.Part(end, end)))
     {
-      this->Append(std::move(band));
+      this->Append(std::move(band), progress.Part(end, 1.0));
       return true;
     }
   }

@@ -49,8 +49,9 @@ public:
   virtual bool FirstShiftInside() const = 0;
 
   /// Moves to another shift; returns how many eigenvalues lie under it (Sylvester's law of
-  /// inertia). Throws SolverFailure when the factorisation breaks down.
-  virtual Index Factorize(double shift) = 0;
+  /// inertia). Throws SolverFailure when the factorisation breaks down, Aborted; reports no more
+  /// than where `progress` begins.
+  virtual Index Factorize(double shift, const Progress& progress) = 0;
 
   /// Whether solves with the last factorisation are as accurate as they should be.
   virtual bool IsAccurate() const { return true; }

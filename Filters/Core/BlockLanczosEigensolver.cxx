@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockLanczosEigensolver.h"
 
+#include "Background.h"
 #include "BandedSolve.h"
 #include "Errors.h"
 #include "LaplaceOperator.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -404,7 +406,7 @@ public:
     double factor = UsualFactor;
     if (this->LastSize > 0 && excess < this->LastExcess)
     {
-      const auto steps = static_cast<double>((size - this->LastSize) / PanelWidth);
+      const auto steps = static_cast<double>(size - this->LastSize) / PanelWidth;
       factor = std::max(std::log(this->LastExcess / excess) / steps, 0.5 * UsualFactor);
     }
     this->LastSize = size;
@@ -446,9 +448,9 @@ Eigen::MatrixXd ForeignShares(const Eigen::MatrixXd& energies, const Eigen::Matr
 class BlockLanczos : public ShiftInvertSolver
 {
 public:
-  BlockLanczos(const EigenProblem& problem, const EigensolverOptions& options, int threads)
-    : Factorization(problem.Stiffness, problem.Mass,
-        options.Nearby != nullptr ? options.Nearby->Order : Eigen::VectorXi())
+  BlockLanczos(const EigenProblem& problem, const EigensolverOptions& options, int threads,
+    const Progress& progress)
+    : Factorization(Analyze(problem, options, progress))
     , Tight(options.Tolerance < TightTolerance)
     , Threads(threads)
   {
@@ -465,33 +467,44 @@ public:
   // frequencies to the last digit the shift must be on their side.
   bool FirstShiftInside() const override { return !this->Tight; }
 
-  Index Factorize(double shift) override
+  Index Factorize(double shift, const Progress& progress) override
   {
     this->Shift = shift;
-    return this->Factorization.Factorize(shift);
+    return RunInBackground(progress,
+      [factorization = this->Factorization, shift]() { return factorization->Factorize(shift); });
   }
 
   bool IsAccurate() const override
   {
-    return this->Factorization.SolveError(this->Threads) < LargestSolveError;
+    return this->Factorization->SolveError(this->Threads) < LargestSolveError;
   }
 
   Band FindNearest(BandRequest request, const Progress& progress) override;
 
   const Eigen::SparseMatrix<double>& Stiffness() const override
   {
-    return this->Factorization.Stiffness();
+    return this->Factorization->Stiffness();
   }
-  const Eigen::SparseMatrix<double>& Mass() const override { return this->Factorization.Mass(); }
-  const Eigen::VectorXi& Order() const override { return this->Factorization.Order(); }
+  const Eigen::SparseMatrix<double>& Mass() const override { return this->Factorization->Mass(); }
+  const Eigen::VectorXi& Order() const override { return this->Factorization->Order(); }
 
 private:
-  Band Polished(const KrylovSpace& space, const RitzPairs& ritz,
-    const std::vector<Index>& kept) const;
+  static std::shared_ptr<ShiftedFactorization> Analyze(const EigenProblem& problem,
+    const EigensolverOptions& options, const Progress& progress)
+  {
+    const Eigen::VectorXi known =
+      options.Nearby != nullptr ? options.Nearby->Order : Eigen::VectorXi();
+    return RunInBackground(progress,
+      [stiffness = problem.Stiffness, mass = problem.Mass, known]()
+      { return std::make_shared<ShiftedFactorization>(stiffness, mass, known); });
+  }
+
+  Band Polished(const KrylovSpace& space, const RitzPairs& ritz, const std::vector<Index>& kept,
+    const Progress& progress) const;
   void LeaveOutInaccurate(Band& band, double tolerance) const;
   double ResidualFloor(const Band& band, Index column) const;
 
-  ShiftedFactorization Factorization;
+  std::shared_ptr<ShiftedFactorization> Factorization; // shared with a call that was given up
   bool Tight;
   int Threads;
   double Shift = 0.0;
@@ -503,11 +516,11 @@ Band BlockLanczos::FindNearest(BandRequest request, const Progress& progress)
   const Index locked = PanelWidth * static_cast<Index>(request.Locked.size());
   const bool isFirst = !request.Locked.empty();
   const bool isGuess = request.Start.size() > 0;
-  KrylovSpace space(this->Factorization, std::move(request.Locked), std::move(request.Start),
+  KrylovSpace space(*this->Factorization, std::move(request.Locked), std::move(request.Start),
     static_cast<std::uint64_t>(request.Attempt), this->Threads);
   // What it takes as a rule, and never more than what a hopeless band may cost.
   const double expected = 2.1 * static_cast<double>(count) + 130.0;
-  const Index limit = std::min(this->Factorization.Size() - locked - PanelWidth, 5 * count + 200);
+  const Index limit = std::min(this->Factorization->Size() - locked - PanelWidth, 5 * count + 200);
   // Converged pairs on the other side of a shift take room as well.
   const double usual =
     (isFirst ? 1.5 : 2.1) * static_cast<double>(count) + (isGuess ? 60.0 : 120.0);
@@ -537,7 +550,7 @@ Band BlockLanczos::FindNearest(BandRequest request, const Progress& progress)
   wanted.erase(std::remove_if(wanted.begin(), wanted.end(),
                  [&open](Index k) { return std::find(open.begin(), open.end(), k) != open.end(); }),
     wanted.end());
-  Band band = this->Polished(space, ritz, wanted);
+  Band band = this->Polished(space, ritz, wanted, progress.Part(0.9, 1.0));
   band.NextValue = selection.NextValue;
   if (request.Attempt == 0)
   {
@@ -552,7 +565,7 @@ Band BlockLanczos::FindNearest(BandRequest request, const Progress& progress)
 // tell apart by theta. What vectors hold of each other is therefore subtracted, to first order.
 // Combining the vectors anew instead would leave rounding of all frequencies in them.
 Band BlockLanczos::Polished(const KrylovSpace& space, const RitzPairs& ritz,
-  const std::vector<Index>& kept) const
+  const std::vector<Index>& kept, const Progress& progress) const
 {
   const auto count = static_cast<Index>(kept.size());
   Eigen::MatrixXd coefficients(space.Size(), count);
@@ -562,10 +575,14 @@ Band BlockLanczos::Polished(const KrylovSpace& space, const RitzPairs& ritz,
     coefficients.col(i) = ritz.Coefficients.col(k) / ritz.Theta[k];
   }
   Panels vectors = space.Combine(coefficients);
-  this->Factorization.SolveWithMass(vectors, this->Tight, this->Threads);
+  progress.Report(0.3);
+  this->Factorization->SolveWithMass(vectors, this->Tight, this->Threads);
+  progress.Report(0.5);
 
   const Eigen::MatrixXd energies = GramOfPanels(this->Stiffness(), vectors, this->Threads);
+  progress.Report(0.6);
   const Eigen::MatrixXd products = GramOfPanels(this->Mass(), vectors, this->Threads);
+  progress.Report(0.8);
   const Eigen::VectorXd values =
     energies.diagonal().head(count).cwiseQuotient(products.diagonal().head(count));
   const Eigen::MatrixXd pure = Eigen::MatrixXd::Identity(count, count) -
@@ -631,7 +648,7 @@ EigenPairs BlockLanczosEigensolver::Solve(const EigenProblem& problem,
   // Starting a thread costs more than it saves on few rows.
   const Index useful = problem.Stiffness.rows() / (4 * RowsPerChunk);
   const auto threads = static_cast<int>(std::clamp<Index>(useful, 1, std::max(1, options.Threads)));
-  BlockLanczos solver(problem, options, threads);
+  BlockLanczos solver(problem, options, threads, progress.Part(0.0, 0.0));
   return SolveByBands(problem, options, solver, progress);
 }
 

@@ -178,7 +178,7 @@ ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
   FixSigns(harmonics.Basis);
   harmonics.Residuals = std::move(pairs.Residuals);
   harmonics.VertexMass = std::move(op.VertexMass);
-  harmonics.Mass = std::move(op.Mass);
+  harmonics.Mass.swap(op.Mass);
   harmonics.KernelDimension = op.Kernel.cols();
   harmonics.Elimination = std::move(pairs.Order);
   harmonics.Complete = pairs.Complete;
@@ -211,7 +211,7 @@ std::optional<ManifoldHarmonics> AdoptManifoldHarmonics(const TriangleMesh& mesh
   harmonics.Basis = std::move(basis);
   harmonics.Residuals = std::move(residuals);
   harmonics.VertexMass = std::move(op.VertexMass);
-  harmonics.Mass = std::move(op.Mass);
+  harmonics.Mass.swap(op.Mass);
   harmonics.KernelDimension = op.Kernel.cols();
   return harmonics;
 }

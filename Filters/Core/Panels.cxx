@@ -127,14 +127,15 @@ Panel MakePanel(Index rows)
 {
   Panel panel(rows, PanelWidth);
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
-  constexpr std::uintptr_t hugePage = std::uintptr_t{ 1 } << 21;
-  const auto begin = reinterpret_cast<std::uintptr_t>(panel.data());
-  const std::uintptr_t first = (begin + hugePage - 1) / hugePage * hugePage;
-  const std::uintptr_t end =
-    (begin + static_cast<std::size_t>(panel.size()) * sizeof(double)) / hugePage * hugePage;
-  if (end > first)
+  constexpr std::size_t hugePage = std::size_t{ 1 } << 21;
+  const std::size_t bytes = static_cast<std::size_t>(panel.size()) * sizeof(double);
+  char* begin = reinterpret_cast<char*>(panel.data());
+  const std::size_t skipped =
+    (hugePage - reinterpret_cast<std::uintptr_t>(begin) % hugePage) % hugePage;
+  if (bytes >= skipped + hugePage)
   {
-    madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE); // a hint: may fail
+    // A hint: may fail.
+    madvise(begin + skipped, (bytes - skipped) / hugePage * hugePage, MADV_HUGEPAGE);
   }
 #endif
   return panel;

@@ -127,8 +127,9 @@ public:
   Index DefaultBandSize(Index wanted) const override { return wanted <= 110 ? 110 : 60; }
   bool FirstShiftInside() const override { return false; }
 
-  Index Factorize(double shift) override
+  Index Factorize(double shift, const Progress& progress) override
   {
+    progress.Report(0.0);
     this->Shift = shift;
     this->Factors.factorize(this->Problem.Stiffness - shift * this->Problem.Mass);
     if (this->Factors.info() != Eigen::Success)

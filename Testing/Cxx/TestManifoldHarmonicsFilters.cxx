@@ -279,6 +279,53 @@ TEST(ManifoldHarmonicsFilter, CoarseQuantisationLeavesAUsableSurface)
   }
 }
 
+// Two eigenvalues that nearly meet may come with other vectors; the spectrum is the same.
+TEST(ManifoldHarmonicsFilter, EverySolverGivesTheSameCompleteSpectrum)
+{
+  const auto mesh = PolyData(shapes::Bumpy(4), true);
+  vtkNew<vtkManifoldHarmonics> filter;
+  filter->SetInputData(mesh);
+  filter->SetNumberOfHarmonics(60);
+  EXPECT_FALSE(filter->GetSpectrumIsComplete()); // nothing is known yet
+  filter->SetSolverToDense();
+  filter->Update();
+  EXPECT_TRUE(filter->GetSpectrumIsComplete());
+  vtkNew<vtkPolyData> reference;
+  reference->ShallowCopy(filter->GetOutput());
+  for (const int solver : { vtkManifoldHarmonics::Automatic, vtkManifoldHarmonics::BlockLanczos,
+         vtkManifoldHarmonics::Spectra })
+  {
+    filter->SetSolver(solver);
+    filter->Update();
+    EXPECT_TRUE(filter->GetSpectrumIsComplete()) << filter->GetSolverAsString();
+    ExpectSameEigenvalues(filter->GetOutput(), reference);
+  }
+}
+
+TEST(ManifoldHarmonicsFilter, AFailureClaimsNoCompleteSpectrum)
+{
+  vtkNew<vtkManifoldHarmonics> filter;
+  filter->SetInputData(PolyData(shapes::Icosphere(2), true));
+  filter->SetNumberOfHarmonics(20);
+  filter->Update();
+  EXPECT_TRUE(filter->GetSpectrumIsComplete());
+  const Listener listener(filter);
+  filter->SetNumberOfHarmonics(100000);
+  filter->Update();
+  EXPECT_FALSE(filter->GetSpectrumIsComplete());
+}
+
+TEST(ManifoldHarmonicsFilter, TheDenseSolverRefusesLargeMeshes)
+{
+  vtkNew<vtkManifoldHarmonics> filter;
+  filter->SetInputData(PolyData(shapes::Icosphere(6), true)); // 40,962 vertices
+  filter->SetSolverToDense();
+  const Listener listener(filter);
+  filter->Update();
+  EXPECT_NE(listener.Errors.find("up to 10000 vertices"), std::string::npos) << listener.Errors;
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
 TEST(ManifoldHarmonicsFilter, ArrayNameCanBeChosen)
 {
   vtkNew<vtkManifoldHarmonics> filter;
