@@ -219,6 +219,44 @@ TYPED_TEST(BandedEigensolvers, ManyComponents)
   EXPECT_GT(pairs.Values[160], 2.0 * pairs.Values[159]);
 }
 
+// A square whose cells grow by a quarter from one to the next in both directions: areas between
+// 1 and 1e8. The spectrum of a square with free edges is pi^2 (i^2 + j^2).
+TYPED_TEST(BandedEigensolvers, AreasThatDifferByEightOrders)
+{
+  const Index cells = 42;
+  TriangleMesh mesh = shapes::Rectangle(cells, cells, 1.0, 1.0);
+  mesh.Points =
+    mesh.Points.unaryExpr([](double x) { return (std::pow(1e4, x) - 1.0) / (1e4 - 1.0); }).eval();
+  mesh.Points.col(2).setZero();
+  const OwnedProblem problem(mesh);
+  const Eigen::VectorXd mass = problem.Mass.diagonal();
+  ASSERT_GT(mass.maxCoeff(), 1e7 * mass.minCoeff());
+  const EigenPairs pairs = SolveBanded<TypeParam>(problem, 60, 20);
+  ASSERT_TRUE(pairs.Complete);
+  EXPECT_LT(pairs.Residuals.maxCoeff(), 1e-8);
+  EXPECT_LT(OrthonormalityError(problem, pairs), 1e-10);
+  EXPECT_NEAR(pairs.Values[1] / (Pi * Pi), 1.0, 0.05);
+  EXPECT_NEAR(pairs.Values[2] / (Pi * Pi), 1.0, 0.05);
+  EXPECT_NEAR(pairs.Values[3] / (2.0 * Pi * Pi), 1.0, 0.1);
+}
+
+// A ribbon a thousand times longer than wide, in triangles as thin: its low frequencies are a
+// string's, pi^2 k^2 / length^2.
+TYPED_TEST(BandedEigensolvers, Slivers)
+{
+  const TriangleMesh mesh = shapes::Rectangle(60, 30, 1000.0, 1.0);
+  const OwnedProblem problem(mesh);
+  const double lengthSquared = 1000.0; // of a ribbon of area 1
+  const EigenPairs pairs = SolveBanded<TypeParam>(problem, 12, 0);
+  ASSERT_TRUE(pairs.Complete);
+  EXPECT_LT(OrthonormalityError(problem, pairs), 1e-10);
+  for (Index k = 1; k < 12; ++k)
+  {
+    const double expected = Pi * Pi * static_cast<double>(k * k) / lengthSquared;
+    EXPECT_NEAR(pairs.Values[k] / expected, 1.0, 0.04) << k;
+  }
+}
+
 TYPED_TEST(BandedEigensolvers, SameBytesForTheSameInputAndAnyThreads)
 {
   const OwnedProblem problem(shapes::Bumpy(5));
