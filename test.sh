@@ -22,6 +22,8 @@ esac
 
 install_missing "${BUILD_PACKAGES[@]}" "${TEST_PACKAGES[@]}" "${DEMO_PACKAGES[@]}"
 jobs=$(nproc)
+# Tests run side by side, each on several threads: idle ones should not spin.
+export OMP_WAIT_POLICY=passive
 
 if [ $full = yes ]; then
   install_missing "${FULL_TEST_PACKAGES[@]}"

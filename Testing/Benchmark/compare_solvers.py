@@ -11,7 +11,8 @@ medians of the solve, without reading or assembling anything.
     xvfb-run -s "-screen 0 1280x1024x24 -noreset" \\
         /usr/bin/python3 Testing/Benchmark/compare_solvers.py scale --output scaling
 
-Debian's packages python3-scipy, python3-slepc4py and python3-numpy.
+Debian's packages python3-scipy, python3-slepc4py and python3-numpy. Where SLEPc is installed but not
+found, set SLEPC_DIR and PETSC_DIR to their folders under /usr/lib/slepcdir and /usr/lib/petscdir.
 """
 
 from __future__ import annotations
