@@ -381,7 +381,6 @@ EigenPairs BandSequence::TakeResult()
   const Index count = std::min(this->Wanted, this->Found());
   EigenPairs pairs;
   pairs.Bands = this->Bands;
-  pairs.Order = this->Solver.Order();
   pairs.Values = Eigen::Map<const Eigen::VectorXd>(this->Values.data(), count);
   Eigen::VectorXd values =
     Eigen::VectorXd::Zero(PanelWidth * static_cast<Index>(this->Vectors.size()));

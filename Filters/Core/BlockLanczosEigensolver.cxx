@@ -448,11 +448,11 @@ Eigen::MatrixXd ForeignShares(const Eigen::MatrixXd& energies, const Eigen::Matr
 class BlockLanczos : public ShiftInvertSolver
 {
 public:
-  BlockLanczos(const EigenProblem& problem, const EigensolverOptions& options, int threads,
+  BlockLanczos(const EigenProblem& problem, const EigensolverOptions& options,
     const Progress& progress)
     : Factorization(Analyze(problem, options, progress))
     , Tight(options.Tolerance < TightTolerance)
-    , Threads(threads)
+    , Threads(options.Threads)
   {
   }
 
@@ -647,9 +647,12 @@ EigenPairs BlockLanczosEigensolver::Solve(const EigenProblem& problem,
 {
   // Starting a thread costs more than it saves on few rows.
   const Index useful = problem.Stiffness.rows() / (4 * RowsPerChunk);
-  const auto threads = static_cast<int>(std::clamp<Index>(useful, 1, std::max(1, options.Threads)));
-  BlockLanczos solver(problem, options, threads, progress.Part(0.0, 0.0));
-  return SolveByBands(problem, options, solver, progress);
+  EigensolverOptions own = options;
+  own.Threads = static_cast<int>(std::clamp<Index>(useful, 1, std::max(1, options.Threads)));
+  BlockLanczos solver(problem, own, progress.Part(0.0, 0.0));
+  EigenPairs pairs = SolveByBands(problem, own, solver, progress);
+  pairs.Order = solver.Order();
+  return pairs;
 }
 
 } // namespace spectralwatermark

@@ -11,7 +11,7 @@ namespace spectralwatermark
 ///
 /// Blocks of eight vectors (Panels.h) share every pass over the factors and over the Krylov basis,
 /// which is where single-vector methods spend their time, and let multiple eigenvalues appear at
-/// once. Full reorthogonalisation in the inner product of M. Ritz vectors are polished by one
+/// once. Reorthogonalisation against all blocks, two new ones at a time, in the inner product of M. Ritz vectors are polished by one
 /// inverse iteration, which takes away the high frequencies that rounding leaves in them.
 ///
 /// G. H. Golub and R. Underwood, "The Block Lanczos Method for Computing Eigenvalues" (1977);

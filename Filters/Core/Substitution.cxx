@@ -5,7 +5,6 @@
 #include "Parallel.h"
 
 #include <algorithm>
-#include <numeric>
 #include <queue>
 
 namespace spectralwatermark

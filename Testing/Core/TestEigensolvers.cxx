@@ -319,6 +319,14 @@ TEST(Eigensolvers, AHeadStartDoesNotChangeTheSpectrum)
   }
 }
 
+// Rows as they come are no order to eliminate in: nobody must take them for one.
+TEST(Eigensolvers, OnlyASolverThatChoseAnOrderGivesOne)
+{
+  const OwnedProblem problem(shapes::Bumpy(4));
+  EXPECT_EQ(SolveBanded<SpectraEigensolver>(problem, 20, 0).Order.size(), 0);
+  EXPECT_EQ(SolveBanded<BlockLanczosEigensolver>(problem, 20, 0).Order.size(), problem.Mass.rows());
+}
+
 // Inverse iteration drowns all other vectors in the one whose eigenvalue the shift nearly hits.
 // Scaling the stiffness moves an eigenvalue onto the first shift, which does not depend on it.
 TEST(Eigensolvers, AShiftThatNearlyHitsAnEigenvalueDoesNoHarm)
