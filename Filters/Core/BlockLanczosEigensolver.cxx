@@ -411,11 +411,14 @@ public:
     }
     this->LastSize = size;
     this->LastExcess = excess;
-    return std::max<Index>(1, static_cast<Index>(std::ceil(std::log(excess) / factor)));
+    // Nothing to go by is no excess; a pair at infinity is none that could be waited for.
+    const double bounded = std::clamp(excess, 1.0, LargestExcess);
+    return std::max<Index>(1, static_cast<Index>(std::ceil(std::log(bounded) / factor)));
   }
 
 private:
   static constexpr double UsualFactor = 1.5; // of the natural logarithm
+  static constexpr double LargestExcess = 1e16;
 
   Index LastSize = 0;
   double LastExcess = 0.0;
@@ -622,13 +625,12 @@ void BlockLanczos::LeaveOutInaccurate(Band& band, double tolerance) const
   {
     return;
   }
-  Band rest;
+  band.Values.clear();
   for (const Index column : kept)
   {
-    rest.Values.push_back(values[column]);
+    band.Values.push_back(values[column]);
   }
-  rest.Vectors = SelectColumns(band.Vectors, kept, this->Threads);
-  band = std::move(rest);
+  band.Vectors = SelectColumns(band.Vectors, kept, this->Threads);
 }
 
 double BlockLanczos::ResidualFloor(const Band& band, Index column) const
