@@ -257,7 +257,7 @@ def draw(path: Path, rows: Sequence[dict], axis: str, title: str) -> None:
     grown = exponent((row[axis] for row in rows), (row["seconds"] for row in rows))
     mesh_pictures.write_chart(
         path,
-        [mesh_pictures.Curve(table, axis, "seconds", f"grows by {axis}^{grown:.2f}", "SteelBlue"),
+        [mesh_pictures.Curve(table, axis, "seconds", f"on the whole, {axis}^{grown:.2f}", "SteelBlue"),
          mesh_pictures.Curve(table, axis, "seconds", "measured", "Firebrick", markers_only=True)],
         title, (axis, "seconds"), logarithmic=True, logarithmic_x=True)
 
