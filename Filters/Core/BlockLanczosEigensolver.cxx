@@ -474,7 +474,8 @@ public:
   {
     this->Shift = shift;
     return RunInBackground(progress,
-      [factorization = this->Factorization, shift]() { return factorization->Factorize(shift); });
+      [factorization = this->Factorization, shift, threads = this->Threads]()
+      { return factorization->Factorize(shift, threads); });
   }
 
   bool IsAccurate() const override

@@ -24,34 +24,38 @@ Eigen::VectorXi NestedDissection(const Eigen::SparseMatrix<double>& pattern)
   return toOriginal.indices();
 }
 
+Eigen::SparseMatrix<double> InOrder(const Eigen::SparseMatrix<double>& matrix,
+  const Eigen::VectorXi& order)
+{
+  const Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> toNew =
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>(order).inverse();
+  Eigen::SparseMatrix<double> permuted;
+  permuted = matrix.twistedBy(toNew);
+  return permuted;
+}
+
 } // namespace
 
 ShiftedFactorization::ShiftedFactorization(const SparseMatrix& stiffness, const SparseMatrix& mass,
   const Eigen::VectorXi& order)
   : OriginalRow(order.size() == stiffness.rows() ? order : NestedDissection(stiffness + mass))
 {
-  const Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> toPermuted =
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>(this->OriginalRow).inverse();
-  this->PermutedStiffness = stiffness.twistedBy(toPermuted);
-  this->PermutedMass = mass.twistedBy(toPermuted);
-  this->Factors.analyzePattern(this->PermutedStiffness + this->PermutedMass);
+  const SparseMatrix pattern = InOrder(stiffness + mass, this->OriginalRow);
+  const Eigen::VectorXi postorder = Postorder(pattern);
+  this->OriginalRow = this->OriginalRow(postorder).eval();
+  this->PermutedStiffness = InOrder(stiffness, this->OriginalRow);
+  this->PermutedMass = InOrder(mass, this->OriginalRow);
+  this->Factors.emplace(this->PermutedStiffness + this->PermutedMass);
 }
 
-Index ShiftedFactorization::Factorize(double shift)
+Index ShiftedFactorization::Factorize(double shift, int threads)
 {
   this->Shifted = this->PermutedStiffness - shift * this->PermutedMass;
-  this->Factors.factorize(this->Shifted);
-  if (this->Factors.info() != Eigen::Success)
+  if (!this->Factors->Factorize(this->Shifted, threads))
   {
     throw SolverFailure("the factorisation of the shifted Laplacian broke down");
   }
-  if (this->InverseD.size() == 0)
-  {
-    this->Substitute = Substitution(this->L());
-  }
-  const Eigen::VectorXd d = this->Factors.vectorD();
-  this->InverseD = d.cwiseInverse();
-  return (d.array() < 0.0).count();
+  return this->Factors->NegativePivots();
 }
 
 double ShiftedFactorization::SolveError(int threads) const
@@ -72,7 +76,7 @@ double ShiftedFactorization::SolveError(int threads) const
 
 void ShiftedFactorization::Solve(Panel& x, int threads) const
 {
-  this->Substitute.Solve(this->L(), this->InverseD, x, threads);
+  this->Factors->Solve(x, threads);
 }
 
 void ShiftedFactorization::SolveWithMass(Panels& x, bool refine, int threads) const

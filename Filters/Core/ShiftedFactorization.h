@@ -2,16 +2,16 @@
 #ifndef SpectralWatermark_Core_ShiftedFactorization_h
 #define SpectralWatermark_Core_ShiftedFactorization_h
 
-#include "Substitution.h"
+#include "MultifrontalFactors.h"
 
-#include <Eigen/SparseCholesky>
+#include <optional>
 
 namespace spectralwatermark
 {
 
 /// L D L^T of S - sigma M, in an order that keeps L sparse. The seam behind which factorisations
-/// take each other's place: this one is Eigen's simplicial LDL^T after METIS's nested dissection
-/// (both freely licensed), with triangular solves for eight right-hand sides at a time.
+/// take each other's place: this one is multifrontal after METIS's nested dissection, with
+/// triangular solves for eight right-hand sides at a time.
 ///
 /// Panels are in the factorisation's order of rows throughout.
 class ShiftedFactorization
@@ -20,13 +20,13 @@ public:
   using SparseMatrix = Eigen::SparseMatrix<double>;
 
   /// Both matrices are kept in the order of elimination: the one given, as from Order() of matrices
-  /// with the same pattern, or METIS's.
+  /// with the same pattern, or METIS's; a postorder of it that eliminates just as well.
   ShiftedFactorization(const SparseMatrix& stiffness, const SparseMatrix& mass,
     const Eigen::VectorXi& order = Eigen::VectorXi());
 
   /// Factorises S - shift M; returns how many eigenvalues lie under the shift (Sylvester's law of
   /// inertia). Throws SolverFailure when it breaks down.
-  Eigen::Index Factorize(double shift);
+  Eigen::Index Factorize(double shift, int threads);
 
   /// ||B - (S - shift M) X|| / ||B|| of a solve with a random right-hand side M Z. Factors without
   /// pivoting lose digits where a leading part of the matrix is nearly singular, which hangs on the
@@ -49,17 +49,11 @@ public:
   const Eigen::VectorXi& Order() const { return this->OriginalRow; }
 
 private:
-  using Ldlt = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
-
-  const SparseMatrix& L() const { return this->Factors.matrixL().nestedExpression(); }
-
   Eigen::VectorXi OriginalRow;
   SparseMatrix PermutedStiffness;
   SparseMatrix PermutedMass;
-  SparseMatrix Shifted; // S - shift M
-  Ldlt Factors;
-  Eigen::VectorXd InverseD;
-  Substitution Substitute; // for the pattern of the factors
+  SparseMatrix Shifted;                       // S - shift M
+  std::optional<MultifrontalFactors> Factors; // always there once constructed
 };
 
 } // namespace spectralwatermark

@@ -101,7 +101,7 @@ Candidate Ours(const sw::SparseMatrix& stiffness, const sw::SparseMatrix& mass, 
   const auto factorization = std::make_shared<std::unique_ptr<sw::ShiftedFactorization>>();
   return { [=, &stiffness, &mass]()
     { *factorization = std::make_unique<sw::ShiftedFactorization>(stiffness, mass); },
-    [=]() { (*factorization)->Factorize(shift); },
+    [=]() { (*factorization)->Factorize(shift, threads); },
     [=](const Block& right) -> Block
     {
       sw::Panels x = sw::ToPanels(right, (*factorization)->Order());

@@ -18,9 +18,11 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -118,8 +120,30 @@ double Now()
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+// What a user who watches the progress, and wants to abort, would notice.
+class Watch
+{
+public:
+  bool operator()(double fraction)
+  {
+    const double now = Now();
+    this->LongestSilence = std::max(this->LongestSilence, now - this->LastTime);
+    this->Rises = this->Rises && fraction >= this->LastFraction;
+    this->LastTime = now;
+    this->LastFraction = fraction;
+    return true;
+  }
+
+  double LongestSilence = 0.0; // an abort is answered at the next report
+  double LastFraction = 0.0;
+  bool Rises = true;
+
+private:
+  double LastTime = Now();
+};
+
 sw::EigenPairs Solve(const Problem& problem, const Arguments& arguments,
-  const sw::HeadStart* nearby, double& seconds)
+  const sw::HeadStart* nearby, double& seconds, Watch& watch)
 {
   std::unique_ptr<sw::Eigensolver> solver = std::make_unique<sw::BlockLanczosEigensolver>();
   if (arguments.Solver == "spectra")
@@ -131,7 +155,8 @@ sw::EigenPairs Solve(const Problem& problem, const Arguments& arguments,
   options.Threads = arguments.Threads;
   options.Nearby = nearby;
   const double started = Now();
-  sw::EigenPairs pairs = solver->Solve(problem.View(), options, sw::Progress());
+  sw::EigenPairs pairs = solver->Solve(problem.View(), options, sw::Progress(std::ref(watch)));
+  watch(watch.LastFraction); // the silence at the end counts as well
   seconds = Now() - started;
   return pairs;
 }
@@ -147,6 +172,19 @@ double OrthonormalityError(const Problem& problem, const Eigen::MatrixXd& vector
   }
   const Eigen::MatrixXd gram = some.transpose() * (problem.Mass * some);
   return (gram - Eigen::MatrixXd::Identity(gram.rows(), gram.cols())).cwiseAbs().maxCoeff();
+}
+
+// What rounding may leave of any residual, whichever solver it is.
+double LargestRounding(const Problem& problem, const sw::EigenPairs& pairs)
+{
+  double largest = 0.0;
+  for (sw::Index k = 0; k < pairs.Values.size(); ++k)
+  {
+    largest = std::max(largest,
+      sw::ResidualFloors(problem.Operator.Stiffness, problem.Mass, 1.0, pairs.Values.segment(k, 1),
+        pairs.Vectors.col(k))[0]);
+  }
+  return largest;
 }
 
 double PeakMebibytes()
@@ -179,8 +217,9 @@ void PrintWarm(const sw::TriangleMesh& mesh, const sw::EigenPairs& pairs,
   const sw::HeadStart nearby{ pairs.Values, &pairs.Vectors, pairs.Order };
   double warm = 0.0;
   double cold = 0.0;
-  const sw::EigenPairs fast = Solve(deformed, arguments, &nearby, warm);
-  const sw::EigenPairs slow = Solve(deformed, arguments, nullptr, cold);
+  Watch watch;
+  const sw::EigenPairs fast = Solve(deformed, arguments, &nearby, warm, watch);
+  const sw::EigenPairs slow = Solve(deformed, arguments, nullptr, cold, watch);
   std::cout << ", \"warm_seconds\": " << warm << ", \"cold_seconds\": " << cold
             << ", \"warm_residual\": " << fast.Residuals.maxCoeff() << ", \"warm_disagreement\": "
             << ((fast.Values - slow.Values).array() / (1.0 + slow.Values.array())).abs().maxCoeff();
@@ -198,7 +237,8 @@ void Run(const Arguments& arguments)
     Eigen::saveMarket(problem.Mass, arguments.MatrixFolder + "/mass.mtx");
   }
   double seconds = 0.0;
-  const sw::EigenPairs pairs = Solve(problem, arguments, nullptr, seconds);
+  Watch watch;
+  const sw::EigenPairs pairs = Solve(problem, arguments, nullptr, seconds, watch);
   const double peak = PeakMebibytes();
   if (!arguments.ValuesFile.empty())
   {
@@ -211,8 +251,11 @@ void Run(const Arguments& arguments)
             << ", \"seconds\": " << seconds << ", \"bands\": " << pairs.Bands
             << ", \"complete\": " << (pairs.Complete ? "true" : "false")
             << ", \"residual\": " << pairs.Residuals.maxCoeff()
+            << ", \"rounding\": " << LargestRounding(problem, pairs)
             << ", \"orthonormality\": " << OrthonormalityError(problem, pairs.Vectors)
-            << ", \"peak_mib\": " << peak;
+            << ", \"peak_mib\": " << peak << ", \"longest_silence\": " << watch.LongestSilence
+            << ", \"progress_rises\": " << (watch.Rises ? "true" : "false")
+            << ", \"last_progress\": " << watch.LastFraction;
   if (arguments.Warm)
   {
     PrintWarm(mesh, pairs, arguments);

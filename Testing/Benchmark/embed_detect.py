@@ -1,5 +1,5 @@
-#!/ usr / bin / env python3
-#SPDX - License - Identifier : BSD - 3 - Clause
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Times embedding and detection of five bits with the paper's settings; prints medians.
 
     PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 Testing/Benchmark/embed_detect.py \
