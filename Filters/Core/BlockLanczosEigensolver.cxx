@@ -5,7 +5,6 @@
 #include "BandedSolve.h"
 #include "Errors.h"
 #include "LaplaceOperator.h"
-#include "Noise.h"
 #include "ShiftedFactorization.h"
 
 #include <Eigen/Cholesky>
@@ -62,7 +61,7 @@ public:
     , Locked(locked.size())
     , Basis(std::move(locked))
   {
-    Panel random = this->RandomPanel(seed);
+    Panel random = RandomPanel(factorization.Size(), seed, threads);
     if (start.size() > 0)
     {
       // Enough of everything that no eigenvector is missed, however good the guess.
@@ -99,16 +98,6 @@ public:
   }
 
 private:
-  Panel RandomPanel(std::uint64_t seed) const
-  {
-    Panel panel = MakePanel(this->Factorization.Size());
-    for (Index i = 0; i < panel.size(); ++i)
-    {
-      panel.data()[i] = NormalRandom(seed, static_cast<std::uint64_t>(i));
-    }
-    return panel;
-  }
-
   // Q^T M W
   Eigen::MatrixXd Project(const PanelRange& q, const Panel* w, std::size_t count) const
   {
@@ -527,7 +516,7 @@ Band BlockLanczos::FindNearest(BandRequest request, const Progress& progress)
   const Index limit = std::min(this->Factorization->Size() - locked - PanelWidth, 5 * count + 200);
   // Converged pairs on the other side of a shift take room as well.
   const double usual =
-    (isFirst ? 1.5 : 2.1) * static_cast<double>(count) + (isGuess ? 60.0 : 120.0);
+    (isFirst ? 1.5 : 2.1) * static_cast<double>(count) + (isGuess ? 60.0 : 128.0);
   Index nextCheck = static_cast<Index>(usual);
   RitzPairs ritz;
   Selection selection;

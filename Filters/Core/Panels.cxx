@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Panels.h"
 
+#include "Noise.h"
 #include "PanelRows.h"
 #include "Parallel.h"
 
@@ -138,6 +139,21 @@ Panel MakePanel(Index rows)
     madvise(begin + skipped, (bytes - skipped) / hugePage * hugePage, MADV_HUGEPAGE);
   }
 #endif
+  return panel;
+}
+
+Panel RandomPanel(Index rows, std::uint64_t seed, int threads)
+{
+  Panel panel = MakePanel(rows);
+  ForEachTask(threads, ChunkCount(rows),
+    [&](Index chunk)
+    {
+      const Index end = std::min(rows, (chunk + 1) * RowsPerChunk) * PanelWidth;
+      for (Index i = chunk * RowsPerChunk * PanelWidth; i < end; ++i)
+      {
+        panel.data()[i] = NormalRandom(seed, static_cast<std::uint64_t>(i));
+      }
+    });
   return panel;
 }
 

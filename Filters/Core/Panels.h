@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <cstdint>
 #include <vector>
 
 namespace spectralwatermark
@@ -48,6 +49,9 @@ constexpr Eigen::Index RowsPerChunk = 2048;
 /// A panel with nothing in it yet. Large ones ask the system for huge pages, which what streams them
 /// from memory gains from.
 Panel MakePanel(Eigen::Index rows);
+
+/// Standard normal numbers, the same for any number of threads.
+Panel RandomPanel(Eigen::Index rows, std::uint64_t seed, int threads);
 
 /// Q^T Y: a row for each vector of `basis`, a column for each of `y`. The basis is streamed from
 /// memory once for all of `y`, which should be PanelsAtOnce panels or fewer.

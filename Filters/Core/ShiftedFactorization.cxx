@@ -4,7 +4,6 @@
 #include "ShiftedFactorization.h"
 
 #include "Errors.h"
-#include "Noise.h"
 #include "Parallel.h"
 
 #include <Eigen/MetisSupport>
@@ -60,11 +59,7 @@ Index ShiftedFactorization::Factorize(double shift, int threads)
 
 double ShiftedFactorization::SolveError(int threads) const
 {
-  Panel random(this->Size(), PanelWidth);
-  for (Index i = 0; i < random.size(); ++i)
-  {
-    random.data()[i] = NormalRandom(0, static_cast<std::uint64_t>(i));
-  }
+  const Panel random = RandomPanel(this->Size(), 0, threads);
   Panel right;
   MultiplyPanel(this->PermutedMass, random, right, threads);
   Panel solution = right;

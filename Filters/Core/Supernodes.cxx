@@ -19,7 +19,7 @@ namespace
 constexpr std::size_t NumberOfGroups = 8;
 
 // A subtree of at most this part of all work is not divided further.
-constexpr double LargestSubtree = 1.0 / 16.0;
+constexpr double LargestSubtree = 1.0 / 8.0;
 
 // Supernodes up to this width are merged whatever zeros that brings: dense loops over a few columns
 // more cost less than another front.

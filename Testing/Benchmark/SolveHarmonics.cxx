@@ -2,10 +2,11 @@
 // Times one eigensolver on one mesh and prints a line of JSON; compare_solvers.py drives it.
 //
 //     SolveHarmonics MESH.ply HARMONICS [--solver NAME] [--threads N] [--subdivide N]
-//                    [--matrices FOLDER] [--values FILE] [--warm]
+//                    [--band N] [--matrices FOLDER] [--values FILE] [--warm]
 //
 // --solver     block-lanczos (default) or spectra
 // --subdivide  each triangle into four, N times
+// --band       harmonics per band; by default the solver chooses
 // --matrices   writes stiffness.mtx and mass.mtx (Matrix Market), for other programs to solve
 // --values     writes the eigenvalues, one a line
 // --warm       solves a slightly deformed mesh as well, from this one's basis and without it
@@ -41,6 +42,7 @@ struct Arguments
   std::string Solver = "block-lanczos";
   int Threads = 2;
   int Subdivisions = 0;
+  sw::Index Band = 0;
   std::string MatrixFolder;
   std::string ValuesFile;
   bool Warm = false;
@@ -79,6 +81,10 @@ Arguments Parse(int argc, char** argv)
     else if (option == "--subdivide")
     {
       arguments.Subdivisions = std::stoi(value);
+    }
+    else if (option == "--band")
+    {
+      arguments.Band = std::stol(value);
     }
     else if (option == "--matrices")
     {
@@ -154,6 +160,7 @@ sw::EigenPairs Solve(const Problem& problem, const Arguments& arguments,
   options.Count = arguments.Harmonics;
   options.Threads = arguments.Threads;
   options.Nearby = nearby;
+  options.BandSize = arguments.Band;
   const double started = Now();
   sw::EigenPairs pairs = solver->Solve(problem.View(), options, sw::Progress(std::ref(watch)));
   watch(watch.LastFraction); // the silence at the end counts as well
