@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshAttack.h"
 
+#include "Core/Attacks.h"
 #include "Core/Errors.h"
 #include "Core/ManifoldHarmonics.h"
 #include "Core/Noise.h"
 #include "Private/FilterRun.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
+#include "Private/Rearrangement.h"
+#include "Private/SurfaceResampling.h"
 
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -15,8 +18,13 @@
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace sw = spectralwatermark;
 
@@ -36,27 +44,110 @@ void CheckFinite(const char* name, double value)
   }
 }
 
+void CheckScaleFactors(const double* factors)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    CheckFinite("AxisScaleFactors", factors[axis]);
+    if (factors[axis] == 0.0)
+    {
+      throw sw::InvalidInput("AxisScaleFactors has a 0, which flattens the mesh: give each axis "
+                             "another factor");
+    }
+  }
+}
+
+using HomogeneousMatrix = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>; // as VTK stores it
+
+HomogeneousMatrix MatrixOf(const sw::SimilarityTransform& similarity)
+{
+  HomogeneousMatrix matrix = HomogeneousMatrix::Identity();
+  matrix.topLeftCorner<3, 3>() = similarity.Scale * similarity.Rotation;
+  matrix.topRightCorner<3, 1>() = similarity.Translation;
+  return matrix;
+}
+
+std::vector<vtkIdType> Shuffled(vtkIdType count, int seed, int stream)
+{
+  const std::vector<sw::Index> order = sw::RandomOrder(count,
+    2 * static_cast<std::uint64_t>(seed) + static_cast<std::uint64_t>(stream));
+  return { order.begin(), order.end() };
+}
+
+template <std::size_t Count>
+const char* NameOf(const std::array<const char*, Count>& names, int value)
+{
+  const auto k = static_cast<std::size_t>(value);
+  return value >= 0 && k < Count ? names[k] : "Unknown";
+}
+
+void Rotate(vtkTransform* transform, vtkMeshAttack* attack)
+{
+  const double* axis = attack->GetRotationAxis();
+  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  CheckFinite("RotationAxis", length);
+  CheckFinite("RotationAngle", attack->GetRotationAngle());
+  if (length == 0.0)
+  {
+    throw sw::InvalidInput("RotationAxis has length 0: give it a direction");
+  }
+  transform->RotateWXYZ(attack->GetRotationAngle(), axis);
+}
+
+sw::TriangleMesh Subdivided(const sw::TriangleMesh& mesh, vtkMeshAttack* attack)
+{
+  switch (attack->GetSubdivisionType())
+  {
+    case vtkMeshAttack::Midpoint:
+      return sw::Subdivide(mesh, sw::Subdivision::Midpoint, attack->GetNumberOfSubdivisions(),
+        attack);
+    case vtkMeshAttack::Loop:
+      return sw::Subdivide(mesh, sw::Subdivision::Loop, attack->GetNumberOfSubdivisions(), attack);
+    case vtkMeshAttack::Sqrt3:
+      return sw::SubdivideSqrt3(mesh, attack->GetNumberOfSubdivisions(), sw::ProgressOf(attack));
+    default:
+      throw sw::InvalidInput("subdivision type " + std::to_string(attack->GetSubdivisionType()) +
+        " is unknown: see vtkMeshAttack::SubdivisionTypes");
+  }
+}
+
+sw::TriangleMesh Remeshed(const sw::TriangleMesh& mesh, vtkMeshAttack* attack)
+{
+  switch (attack->GetRemeshingMethod())
+  {
+    case vtkMeshAttack::Uniform:
+    {
+      const double vertices = static_cast<double>(mesh.NumberOfVertices());
+      const auto count = static_cast<sw::Index>(vertices * attack->GetRemeshingPercent() / 100.0);
+      return sw::ResampleUniformly(mesh, std::max<sw::Index>(4, count), attack);
+    }
+    case vtkMeshAttack::Isosurface:
+      return sw::ResampleByIsosurface(mesh, attack->GetIsosurfaceResolution(), attack);
+    default:
+      throw sw::InvalidInput("remeshing method " + std::to_string(attack->GetRemeshingMethod()) +
+        " is unknown: see vtkMeshAttack::RemeshingMethods");
+  }
+}
+
 } // namespace
 
 const char* vtkMeshAttack::GetAttackAsString() const
 {
-  switch (this->Attack)
-  {
-    case Rotation:
-      return "Rotation";
-    case UniformScaling:
-      return "UniformScaling";
-    case Translation:
-      return "Translation";
-    case NoiseAlongNormals:
-      return "NoiseAlongNormals";
-    case SpectralSmoothing:
-      return "SpectralSmoothing";
-    case Simplification:
-      return "Simplification";
-    default:
-      return "Unknown";
-  }
+  constexpr std::array names = { "Rotation", "UniformScaling", "Translation", "Similarity",
+    "NoiseAlongNormals", "NoiseUniform", "SpectralSmoothing", "LaplacianSmoothing", "Quantization",
+    "Simplification", "Subdivision", "VertexReordering", "Cropping", "Remeshing",
+    "NonUniformScaling" };
+  return NameOf(names, this->Attack);
+}
+
+const char* vtkMeshAttack::GetSubdivisionTypeAsString() const
+{
+  return NameOf(std::array{ "Midpoint", "Loop", "Sqrt3" }, this->SubdivisionType);
+}
+
+const char* vtkMeshAttack::GetRemeshingMethodAsString() const
+{
+  return NameOf(std::array{ "Uniform", "Isosurface" }, this->RemeshingMethod);
 }
 
 int vtkMeshAttack::RequestData(vtkInformation*, vtkInformationVector** inputs,
@@ -73,16 +164,31 @@ int vtkMeshAttack::RequestData(vtkInformation*, vtkInformationVector** inputs,
         case Rotation:
         case UniformScaling:
         case Translation:
+        case Similarity:
+        case NonUniformScaling:
           this->Transform(input, output);
           break;
         case NoiseAlongNormals:
-          this->AddNoise(input, output);
+        case NoiseUniform:
+        case LaplacianSmoothing:
+        case Quantization:
+          this->MovePoints(input, output);
           break;
         case SpectralSmoothing:
           this->Smooth(input, output);
           break;
         case Simplification:
           this->Simplify(input, output);
+          break;
+        case Subdivision:
+        case Remeshing:
+          this->Resample(input, output);
+          break;
+        case VertexReordering:
+          this->Shuffle(input, output);
+          break;
+        case Cropping:
+          this->Crop(input, output);
           break;
         default:
           throw sw::InvalidInput("attack " + std::to_string(this->Attack) +
@@ -94,32 +200,29 @@ int vtkMeshAttack::RequestData(vtkInformation*, vtkInformationVector** inputs,
 
 void vtkMeshAttack::Transform(vtkPolyData* input, vtkPolyData* output)
 {
-  sw::ToMesh(input); // for its checks
+  const sw::PolyDataMesh mesh = sw::ToMesh(input);
   vtkNew<vtkTransform> transform;
-  if (this->Attack == Rotation)
+  switch (this->Attack)
   {
-    const double* axis = this->RotationAxis;
-    const double length = std::hypot(axis[0], axis[1], axis[2]);
-    CheckFinite("RotationAxis", length);
-    CheckFinite("RotationAngle", this->RotationAngle);
-    if (length == 0.0)
-    {
-      throw sw::InvalidInput("RotationAxis has length 0: give it a direction");
-    }
-    transform->RotateWXYZ(this->RotationAngle, axis);
-  }
-  else if (this->Attack == UniformScaling)
-  {
-    CheckFinite("ScaleFactor", this->ScaleFactor);
-    transform->Scale(this->ScaleFactor, this->ScaleFactor, this->ScaleFactor);
-  }
-  else
-  {
-    for (const double component : this->TranslationVector)
-    {
-      CheckFinite("TranslationVector", component);
-    }
-    transform->Translate(this->TranslationVector);
+    case Rotation:
+      Rotate(transform, this);
+      break;
+    case UniformScaling:
+      CheckFinite("ScaleFactor", this->ScaleFactor);
+      transform->Scale(this->ScaleFactor, this->ScaleFactor, this->ScaleFactor);
+      break;
+    case NonUniformScaling:
+      CheckScaleFactors(this->AxisScaleFactors);
+      transform->Scale(this->AxisScaleFactors);
+      break;
+    case Translation:
+      std::for_each_n(this->TranslationVector, 3,
+        [](double component) { CheckFinite("TranslationVector", component); });
+      transform->Translate(this->TranslationVector);
+      break;
+    default:
+      transform->SetMatrix(
+        MatrixOf(sw::RandomSimilarity(mesh.Mesh, static_cast<std::uint64_t>(this->Seed))).data());
   }
   vtkNew<vtkTransformPolyDataFilter> move;
   move->SetInputData(input);
@@ -129,14 +232,31 @@ void vtkMeshAttack::Transform(vtkPolyData* input, vtkPolyData* output)
   output->ShallowCopy(move->GetOutput());
 }
 
-void vtkMeshAttack::AddNoise(vtkPolyData* input, vtkPolyData* output)
+void vtkMeshAttack::MovePoints(vtkPolyData* input, vtkPolyData* output)
 {
   CheckFinite("NoiseFactor", this->NoiseFactor);
+  CheckFinite("NoisePercent", this->NoisePercent);
+  CheckFinite("SmoothingFactor", this->SmoothingFactor);
   const sw::PolyDataMesh mesh = sw::ToMesh(input);
   const sw::Progress progress = sw::ProgressOf(this);
+  const auto seed = static_cast<std::uint64_t>(this->Seed);
   progress.Report(0.3);
-  const sw::TriangleMesh::PointMatrix points =
-    sw::NoiseAlongNormals(mesh.Mesh, this->NoiseFactor, static_cast<std::uint64_t>(this->Seed));
+  sw::TriangleMesh::PointMatrix points;
+  switch (this->Attack)
+  {
+    case NoiseAlongNormals:
+      points = sw::NoiseAlongNormals(mesh.Mesh, this->NoiseFactor, seed);
+      break;
+    case NoiseUniform:
+      points = sw::NoiseUniform(mesh.Mesh, this->NoisePercent / 100.0, seed);
+      break;
+    case LaplacianSmoothing:
+      points = sw::LaplacianSmoothing(mesh.Mesh, this->SmoothingFactor, this->SmoothingIterations,
+        progress.Part(0.3, 0.9));
+      break;
+    default:
+      points = sw::Quantize(mesh.Mesh, this->QuantizationBits);
+  }
   progress.Report(0.9);
   output->ShallowCopy(input);
   sw::SetPoints(output, input, mesh, points, this->OutputPointsPrecision);
@@ -173,6 +293,58 @@ void vtkMeshAttack::Simplify(vtkPolyData* input, vtkPolyData* output)
   output->ShallowCopy(sw::ToPolyData(sw::ToMesh(decimate->GetOutput()).Mesh, storesFloat));
 }
 
+// On the merged mesh, so that seams do not tear.
+void vtkMeshAttack::Resample(vtkPolyData* input, vtkPolyData* output)
+{
+  const sw::PolyDataMesh mesh = sw::ToMesh(input);
+  const bool storesFloat = sw::StoresFloat(input, this->OutputPointsPrecision);
+  const sw::TriangleMesh result =
+    this->Attack == Subdivision ? Subdivided(mesh.Mesh, this) : Remeshed(mesh.Mesh, this);
+  output->ShallowCopy(sw::ToPolyData(result, storesFloat));
+}
+
+void vtkMeshAttack::Shuffle(vtkPolyData* input, vtkPolyData* output)
+{
+  sw::ToMesh(input); // for its checks
+  sw::ProgressOf(this).Report(0.3);
+  output->ShallowCopy(sw::Rearranged(input, Shuffled(input->GetNumberOfPoints(), this->Seed, 0),
+    Shuffled(input->GetNumberOfPolys(), this->Seed, 1)));
+}
+
+void vtkMeshAttack::Crop(vtkPolyData* input, vtkPolyData* output)
+{
+  sw::ToMesh(input); // for its checks
+  sw::ProgressOf(this).Report(0.3);
+  const auto seed = static_cast<std::uint64_t>(this->Seed);
+  const Eigen::Vector3d direction(sw::NormalRandom(seed, 0), sw::NormalRandom(seed, 1),
+    sw::NormalRandom(seed, 2));
+  const vtkIdType count = input->GetNumberOfPoints();
+  std::vector<std::pair<double, vtkIdType>> heights;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    Eigen::Vector3d point;
+    input->GetPoint(i, point.data());
+    heights.emplace_back(direction.dot(point), i);
+  }
+  std::sort(heights.begin(), heights.end());
+  const auto kept = static_cast<std::size_t>(
+    std::ceil(static_cast<double>(count) * (1.0 - this->CroppingPercent / 100.0)));
+  std::vector<vtkIdType> points;
+  for (std::size_t k = 0; k < kept; ++k)
+  {
+    points.push_back(heights[k].second);
+  }
+  std::sort(points.begin(), points.end());
+  std::vector<vtkIdType> polygons(static_cast<std::size_t>(input->GetNumberOfPolys()));
+  std::iota(polygons.begin(), polygons.end(), vtkIdType{ 0 });
+  const auto cropped = sw::Rearranged(input, points, polygons);
+  if (cropped->GetNumberOfPolys() + cropped->GetNumberOfStrips() == 0)
+  {
+    throw sw::InvalidInput("no polygon is left: lower CroppingPercent");
+  }
+  output->ShallowCopy(cropped);
+}
+
 void vtkMeshAttack::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -190,6 +362,18 @@ void vtkMeshAttack::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SmoothingGain: " << this->SmoothingGain << "\n";
   os << indent << "KeepResidual: " << this->KeepResidual << "\n";
   os << indent << "SimplificationPercent: " << this->SimplificationPercent << "\n";
+  os << indent << "NoisePercent: " << this->NoisePercent << "\n";
+  os << indent << "SmoothingFactor: " << this->SmoothingFactor << "\n";
+  os << indent << "SmoothingIterations: " << this->SmoothingIterations << "\n";
+  os << indent << "QuantizationBits: " << this->QuantizationBits << "\n";
+  os << indent << "SubdivisionType: " << this->GetSubdivisionTypeAsString() << "\n";
+  os << indent << "NumberOfSubdivisions: " << this->NumberOfSubdivisions << "\n";
+  os << indent << "CroppingPercent: " << this->CroppingPercent << "\n";
+  os << indent << "RemeshingMethod: " << this->GetRemeshingMethodAsString() << "\n";
+  os << indent << "RemeshingPercent: " << this->RemeshingPercent << "\n";
+  os << indent << "IsosurfaceResolution: " << this->IsosurfaceResolution << "\n";
+  os << indent << "AxisScaleFactors: " << this->AxisScaleFactors[0] << " "
+     << this->AxisScaleFactors[1] << " " << this->AxisScaleFactors[2] << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "NumberOfEigensolves: " << this->NumberOfEigensolves << "\n";
 }

@@ -20,19 +20,24 @@ std::uint64_t Mix(std::uint64_t x)
 }
 
 // In (0, 1): 53 bits, never 0.
-double UniformRandom(std::uint64_t bits)
+double UniformOfBits(std::uint64_t bits)
 {
   return (static_cast<double>(bits >> 11) + 0.5) * 0x1.0p-53;
 }
 
 } // namespace
 
+double UniformRandom(std::uint64_t seed, std::uint64_t element)
+{
+  return UniformOfBits(Mix(Mix(seed) ^ element));
+}
+
 // Box-Muller; the standard library's distributions differ between implementations.
 double NormalRandom(std::uint64_t seed, std::uint64_t element)
 {
   const std::uint64_t first = Mix(Mix(seed) ^ element);
-  const double radius = std::sqrt(-2.0 * std::log(UniformRandom(first)));
-  const double angle = 2.0 * 3.14159265358979323846 * UniformRandom(Mix(first));
+  const double radius = std::sqrt(-2.0 * std::log(UniformOfBits(first)));
+  const double angle = 2.0 * 3.14159265358979323846 * UniformOfBits(Mix(first));
   return radius * std::cos(angle);
 }
 

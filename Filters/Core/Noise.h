@@ -9,8 +9,11 @@
 namespace spectralwatermark
 {
 
-/// A standard normal number that depends on (seed, element) alone: the same on every platform,
+/// A number in (0, 1), uniform, that depends on (seed, element) alone: the same on every platform,
 /// for any number of threads and any order of evaluation.
+double UniformRandom(std::uint64_t seed, std::uint64_t element);
+
+/// A standard normal number likewise.
 double NormalRandom(std::uint64_t seed, std::uint64_t element);
 
 /// Section 3.3.3: every vertex moved along its normal by factor * N(0, 1) * mean edge length.

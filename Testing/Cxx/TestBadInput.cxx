@@ -37,8 +37,7 @@ std::vector<vtkSmartPointer<vtkPolyDataAlgorithm>> EveryFilter()
   filters.emplace_back(similarity);
   filters.emplace_back(vtkSmartPointer<vtkSpectralWatermarkEmbed>::New());
   filters.emplace_back(vtkSmartPointer<vtkSpectralWatermarkDetect>::New());
-  for (const int kind : { vtkMeshAttack::Rotation, vtkMeshAttack::NoiseAlongNormals,
-         vtkMeshAttack::SpectralSmoothing, vtkMeshAttack::Simplification })
+  for (int kind = vtkMeshAttack::Rotation; kind <= vtkMeshAttack::NonUniformScaling; ++kind)
   {
     auto attack = vtkSmartPointer<vtkMeshAttack>::New();
     attack->SetAttack(kind);

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/FilterTesting.h"
 
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
+#include <vtkIdList.h>
+#include <vtkImplicitPolyDataDistance.h>
+#include <vtkMassProperties.h>
 #include <vtkMath.h>
 #include <vtkMeshAttack.h>
 #include <vtkNew.h>
@@ -12,7 +16,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 using namespace filtertesting;
@@ -172,6 +178,219 @@ TEST(MeshAttack, AttributesAndUnusedPointsStay)
   EXPECT_EQ(Distance(mesh, noise->GetOutput(), lonely), 0.0);
 }
 
+TEST(MeshAttack, EveryAttackHasItsNameAndLeavesASurface)
+{
+  const auto mesh = PolyData(shapes::Bumpy(3));
+  const char* const names[] = { "Rotation", "UniformScaling", "Translation", "Similarity",
+    "NoiseAlongNormals", "NoiseUniform", "SpectralSmoothing", "LaplacianSmoothing", "Quantization",
+    "Simplification", "Subdivision", "VertexReordering", "Cropping", "Remeshing",
+    "NonUniformScaling" };
+  int kind = 0;
+  for (const char* name : names)
+  {
+    SCOPED_TRACE(name);
+    const auto attack = AttackOn(mesh, kind++);
+    attack->SetIsosurfaceResolution(32);
+    Listener listener(attack);
+    attack->Update();
+    EXPECT_STREQ(attack->GetAttackAsString(), name);
+    EXPECT_EQ(listener.Errors, "");
+    EXPECT_GT(attack->GetOutput()->GetNumberOfPolys(), 100);
+    EXPECT_TRUE(std::is_sorted(listener.Progress.begin(), listener.Progress.end()));
+    const auto again = AttackOn(mesh, attack->GetAttack());
+    again->Update();
+    EXPECT_TRUE(SamePoints(attack->GetOutput(), again->GetOutput()));
+  }
+}
+
+TEST(MeshAttack, SimilarityKeepsProportions)
+{
+  const auto mesh = PolyData(shapes::Bumpy(2));
+  const auto attack = AttackOn(mesh, vtkMeshAttack::Similarity);
+  attack->SetSeed(7);
+  attack->Update();
+  const auto sizeOf = [](vtkPolyData* data, vtkIdType i)
+  {
+    double a[3];
+    double b[3];
+    data->GetPoint(i, a);
+    data->GetPoint(i + 1, b);
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  };
+  const double scale = sizeOf(attack->GetOutput(), 0) / sizeOf(mesh, 0);
+  EXPECT_GE(scale, 0.1);
+  EXPECT_LE(scale, 10.0);
+  for (vtkIdType i = 0; i + 1 < mesh->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_NEAR(sizeOf(attack->GetOutput(), i), scale * sizeOf(mesh, i), 1e-5 * scale);
+  }
+}
+
+TEST(MeshAttack, NonUniformScalingMultipliesEachAxis)
+{
+  const auto mesh = PolyData(shapes::Bumpy(1));
+  const auto attack = AttackOn(mesh, vtkMeshAttack::NonUniformScaling);
+  attack->SetAxisScaleFactors(2.0, 1.0, 0.5);
+  attack->Update();
+  double before[3];
+  double after[3];
+  mesh->GetPoint(5, before);
+  attack->GetOutput()->GetPoint(5, after);
+  EXPECT_DOUBLE_EQ(after[0], 2.0 * before[0]);
+  EXPECT_DOUBLE_EQ(after[1], before[1]);
+  EXPECT_DOUBLE_EQ(after[2], 0.5 * before[2]);
+}
+
+// Every point and polygon is there with its attributes, at another place.
+TEST(MeshAttack, ReorderingKeepsPointsCellsAndAttributes)
+{
+  const auto mesh = PolyData(shapes::Bumpy(2));
+  const vtkIdType points = mesh->GetNumberOfPoints();
+  const vtkIdType cells = mesh->GetNumberOfCells();
+  vtkNew<vtkFloatArray> number;
+  number->SetName("Number");
+  vtkNew<vtkFloatArray> cellNumber;
+  cellNumber->SetName("CellNumber");
+  for (vtkIdType i = 0; i < std::max(points, cells); ++i)
+  {
+    i < points ? number->InsertNextValue(static_cast<float>(i)) : 0;
+    i < cells ? cellNumber->InsertNextValue(static_cast<float>(i)) : 0;
+  }
+  mesh->GetPointData()->AddArray(number);
+  mesh->GetCellData()->AddArray(cellNumber);
+  const auto attack = AttackOn(mesh, vtkMeshAttack::VertexReordering);
+  attack->Update();
+  vtkPolyData* shuffled = attack->GetOutput();
+  ASSERT_EQ(shuffled->GetNumberOfPoints(), points);
+  ASSERT_EQ(shuffled->GetNumberOfCells(), cells);
+  vtkDataArray* from = PointArray(shuffled, "Number");
+  std::set<vtkIdType> seen;
+  vtkIdType inPlace = 0;
+  for (vtkIdType i = 0; i < points; ++i)
+  {
+    const auto old = static_cast<vtkIdType>(from->GetTuple1(i));
+    seen.insert(old);
+    inPlace += old == i ? 1 : 0;
+    double p[3];
+    double q[3];
+    shuffled->GetPoint(i, p);
+    mesh->GetPoint(old, q);
+    EXPECT_TRUE(std::equal(p, p + 3, q));
+  }
+  EXPECT_EQ(static_cast<vtkIdType>(seen.size()), points);
+  EXPECT_LT(inPlace, 10);
+  vtkDataArray* fromCell = shuffled->GetCellData()->GetArray("CellNumber");
+  vtkNew<vtkIdList> corners;
+  vtkNew<vtkIdList> oldCorners;
+  for (vtkIdType c = 0; c < cells; ++c)
+  {
+    shuffled->GetCellPoints(c, corners);
+    mesh->GetCellPoints(static_cast<vtkIdType>(fromCell->GetTuple1(c)), oldCorners);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      EXPECT_EQ(from->GetTuple1(corners->GetId(k)), static_cast<double>(oldCorners->GetId(k)));
+    }
+  }
+}
+
+TEST(MeshAttack, CroppingLeavesTheShareAskedForWithItsAttributes)
+{
+  const auto mesh = PolyData(shapes::Bumpy(4));
+  vtkNew<vtkFloatArray> height;
+  height->SetName("Height");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    height->InsertNextValue(static_cast<float>(mesh->GetPoint(i)[2]));
+  }
+  mesh->GetPointData()->AddArray(height);
+  const auto attack = AttackOn(mesh, vtkMeshAttack::Cropping);
+  attack->SetCroppingPercent(30.0);
+  attack->Update();
+  vtkPolyData* part = attack->GetOutput();
+  EXPECT_NEAR(static_cast<double>(part->GetNumberOfPoints()),
+    0.7 * static_cast<double>(mesh->GetNumberOfPoints()), 1.0);
+  EXPECT_LT(part->GetNumberOfPolys(), mesh->GetNumberOfPolys() * 75 / 100);
+  EXPECT_GT(part->GetNumberOfPolys(), mesh->GetNumberOfPolys() * 60 / 100);
+  for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_EQ(PointArray(part, "Height")->GetTuple1(i), static_cast<float>(part->GetPoint(i)[2]));
+  }
+}
+
+TEST(MeshAttack, SubdivisionsHaveTheTrianglesOfTheirRule)
+{
+  const auto mesh = PolyData(shapes::Bumpy(2));
+  const vtkIdType before = mesh->GetNumberOfPolys();
+  const auto attack = AttackOn(mesh, vtkMeshAttack::Subdivision);
+  attack->Update();
+  EXPECT_STREQ(attack->GetSubdivisionTypeAsString(), "Midpoint");
+  EXPECT_EQ(attack->GetOutput()->GetNumberOfPolys(), 4 * before);
+  attack->SetSubdivisionTypeToLoop();
+  attack->SetNumberOfSubdivisions(2);
+  attack->Update();
+  EXPECT_EQ(attack->GetOutput()->GetNumberOfPolys(), 16 * before);
+  attack->SetSubdivisionTypeToSqrt3();
+  attack->Update();
+  EXPECT_EQ(attack->GetOutput()->GetNumberOfPolys(), 9 * before);
+}
+
+// Both remeshings lie on the surface, with other triangles.
+TEST(MeshAttack, RemeshingStaysOnTheSurface)
+{
+  const auto mesh = PolyData(shapes::Bumpy(4));
+  vtkNew<vtkImplicitPolyDataDistance> distance;
+  distance->SetInput(mesh);
+  const auto farthest = [&distance](vtkPolyData* data)
+  {
+    double most = 0.0;
+    for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+    {
+      most = std::max(most, std::abs(distance->EvaluateFunction(data->GetPoint(i))));
+    }
+    return most;
+  };
+  const auto attack = AttackOn(mesh, vtkMeshAttack::Remeshing);
+  for (const double percent : { 30.0, 100.0, 200.0 })
+  {
+    attack->SetRemeshingPercent(percent);
+    attack->Update();
+    EXPECT_NEAR(static_cast<double>(attack->GetOutput()->GetNumberOfPoints()),
+      percent / 100.0 * static_cast<double>(mesh->GetNumberOfPoints()),
+      0.1 * percent / 100.0 * static_cast<double>(mesh->GetNumberOfPoints()));
+    EXPECT_LT(farthest(attack->GetOutput()), 0.02 * mesh->GetLength());
+  }
+  attack->SetRemeshingMethodToIsosurface();
+  attack->SetIsosurfaceResolution(64);
+  attack->Update();
+  EXPECT_STREQ(attack->GetRemeshingMethodAsString(), "Isosurface");
+  EXPECT_GT(attack->GetOutput()->GetNumberOfPolys(), 10000);
+  EXPECT_LT(farthest(attack->GetOutput()), 0.25 * mesh->GetLength() / 64.0);
+  vtkNew<vtkMassProperties> before;
+  before->SetInputData(mesh);
+  vtkNew<vtkMassProperties> after;
+  after->SetInputData(attack->GetOutput());
+  EXPECT_NEAR(after->GetVolume(), before->GetVolume(), 0.005 * before->GetVolume());
+}
+
+// A box has triangles far larger than the grid's steps: its inside must be inside everywhere.
+TEST(MeshAttack, AnIsosurfaceOfLargeTrianglesIsTheirSolid)
+{
+  shapes::TriangleMesh box; // 2 x 1 x 1
+  box.Points.resize(8, 3);
+  box.Points << 0, 0, 0, 2, 0, 0, 0, 1, 0, 2, 1, 0, 0, 0, 1, 2, 0, 1, 0, 1, 1, 2, 1, 1;
+  box.Triangles.resize(12, 3);
+  box.Triangles << 0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2,
+    2, 4, 6, 1, 3, 5, 3, 7, 5;
+  const auto attack = AttackOn(PolyData(box), vtkMeshAttack::Remeshing);
+  attack->SetRemeshingMethodToIsosurface();
+  attack->SetIsosurfaceResolution(40);
+  attack->Update();
+  vtkNew<vtkMassProperties> solid;
+  solid->SetInputData(attack->GetOutput());
+  EXPECT_NEAR(solid->GetVolume(), 2.0, 0.02);
+  EXPECT_NEAR(solid->GetSurfaceArea(), 10.0, 0.6); // edges of length 16 lose up to a step
+}
+
 TEST(MeshAttack, UnknownAttackAndBadParametersAreErrors)
 {
   const auto mesh = PolyData(shapes::Bumpy(1));
@@ -193,6 +412,21 @@ TEST(MeshAttack, UnknownAttackAndBadParametersAreErrors)
   expectError(attack, "must be finite");
   attack = AttackOn(mesh, vtkMeshAttack::SpectralSmoothing);
   expectError(attack, "300 harmonics were asked for, but the mesh has 42");
+  attack = AttackOn(mesh, vtkMeshAttack::Subdivision);
+  attack->SetSubdivisionType(5);
+  expectError(attack, "subdivision type 5 is unknown");
+  attack = AttackOn(mesh, vtkMeshAttack::Remeshing);
+  attack->SetRemeshingMethod(-1);
+  expectError(attack, "remeshing method -1 is unknown");
+  attack = AttackOn(PolyData(shapes::Rectangle(3, 3, 1.0, 1.0)), vtkMeshAttack::Remeshing);
+  attack->SetRemeshingMethodToIsosurface();
+  expectError(attack, "needs a closed surface");
+  attack = AttackOn(mesh, vtkMeshAttack::NonUniformScaling);
+  attack->SetAxisScaleFactors(1.0, 0.0, 1.0);
+  expectError(attack, "AxisScaleFactors has a 0");
+  attack = AttackOn(mesh, vtkMeshAttack::Cropping);
+  attack->SetCroppingPercent(99.0);
+  expectError(attack, "no polygon is left");
 }
 
 TEST(MeshAttack, PrintsItsProperties)
@@ -202,7 +436,9 @@ TEST(MeshAttack, PrintsItsProperties)
   attack->Print(text);
   for (const char* name : { "Attack: NoiseAlongNormals", "Seed: 0", "RotationAngle: 30",
          "ScaleFactor: 2", "NoiseFactor: 0.5", "CutoffComponent: 200", "SmoothingGain: 0.5",
-         "SimplificationPercent: 50" })
+         "SimplificationPercent: 50", "NoisePercent: 0.3", "SmoothingIterations: 10",
+         "QuantizationBits: 9", "SubdivisionType: Midpoint", "CroppingPercent: 10",
+         "RemeshingMethod: Uniform", "IsosurfaceResolution: 256", "AxisScaleFactors: 1 1 1.1" })
   {
     EXPECT_NE(text.str().find(name), std::string::npos) << name;
   }

@@ -42,8 +42,7 @@ Filters EveryFilterOn(vtkPolyData* mesh)
   filters.emplace_back(similarity);
   filters.emplace_back(vtkSmartPointer<vtkSpectralWatermarkEmbed>::New());
   filters.emplace_back(vtkSmartPointer<vtkSpectralWatermarkDetect>::New());
-  for (const int kind : { vtkMeshAttack::Rotation, vtkMeshAttack::NoiseAlongNormals,
-         vtkMeshAttack::SpectralSmoothing, vtkMeshAttack::Simplification })
+  for (int kind = vtkMeshAttack::Rotation; kind <= vtkMeshAttack::NonUniformScaling; ++kind)
   {
     auto attack = vtkSmartPointer<vtkMeshAttack>::New();
     attack->SetAttack(kind);
