@@ -23,7 +23,7 @@ using Panels = std::vector<Panel>;
 
 /// So many panels are worked on together where a basis goes by: more push each other out of the
 /// cache.
-constexpr std::size_t PanelsAtOnce = 4;
+constexpr std::size_t PanelsAtOnce = 8;
 
 /// Some consecutive panels of a basis.
 struct PanelRange
