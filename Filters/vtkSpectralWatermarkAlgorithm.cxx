@@ -86,7 +86,22 @@ int vtkSpectralWatermarkAlgorithm::GetHasSecretKey() const
 
 const char* vtkSpectralWatermarkAlgorithm::GetSchemeAsString() const
 {
-  return this->Scheme == PaperSlots ? "PaperSlots" : "Unknown";
+  switch (this->Scheme)
+  {
+    case PaperSlots:
+      return "PaperSlots";
+    case Robust:
+      return "Robust";
+    default:
+      return "Unknown";
+  }
+}
+
+int vtkSpectralWatermarkAlgorithm::GetNumberOfBits() const
+{
+  constexpr int slots = 5;
+  constexpr int robust = 64;
+  return this->NumberOfBits > 0 ? this->NumberOfBits : this->Scheme == Robust ? robust : slots;
 }
 
 const char* vtkSpectralWatermarkAlgorithm::GetSlotDivisionAsString() const
@@ -125,14 +140,25 @@ std::unique_ptr<sw::SecretKey> vtkSpectralWatermarkAlgorithm::ReadSecretKey() co
   return this->SecretKey.empty() ? nullptr : std::make_unique<sw::SecretKey>(this->SecretKey);
 }
 
+std::unique_ptr<sw::SecretKey> vtkSpectralWatermarkAlgorithm::ReadRobustKey() const
+{
+  constexpr char publicKey[] = "SpectralWatermark: a mark for everyone to read";
+  std::unique_ptr<sw::SecretKey> key = this->ReadSecretKey();
+  return key ? std::move(key) : std::make_unique<sw::SecretKey>(publicKey);
+}
+
+void vtkSpectralWatermarkAlgorithm::CheckScheme() const
+{
+  if (this->Scheme != PaperSlots && this->Scheme != Robust)
+  {
+    throw sw::InvalidInput("scheme " + std::to_string(this->Scheme) +
+      " is unknown: there are PaperSlots (0) and Robust (1)");
+  }
+}
+
 sw::SlotOptions vtkSpectralWatermarkAlgorithm::GetSlotOptions(const sw::SecretKey* key,
   long long bits) const
 {
-  if (this->Scheme != PaperSlots)
-  {
-    throw sw::InvalidInput(
-      "scheme " + std::to_string(this->Scheme) + " is unknown: this version has PaperSlots (0)");
-  }
   sw::SlotOptions options;
   options.FirstComponent = this->FirstComponent;
   options.SlotSize = this->SlotSize;
@@ -159,7 +185,7 @@ void vtkSpectralWatermarkAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CarrierPosition: " << this->CarrierPosition << "\n";
   os << indent << "BitEmbedding: " << this->GetBitEmbeddingAsString() << "\n";
   os << indent << "TurbulenceFactor: " << this->TurbulenceFactor << "\n";
-  os << indent << "NumberOfBits: " << this->NumberOfBits << "\n";
+  os << indent << "NumberOfBits: " << this->GetNumberOfBits() << "\n";
   os << indent << "HasSecretKey: " << this->GetHasSecretKey() << "\n";
   os << indent << "SecretKeyFile: " << this->SecretKeyFile << "\n";
 }

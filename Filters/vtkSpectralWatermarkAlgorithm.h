@@ -10,7 +10,14 @@
  * FirstComponent + i SlotSize on. In each slot one component, the carrier, is compared with the
  * average of reference components around it.
  *
- * With a secret key (SecretKey or SecretKeyFile), the carrier's place in each slot is drawn from
+ * Scheme Robust: bits live in the Fourier transform of the solid that the surface encloses, at wave
+ * vectors that the secret key decides, quantised with a secret dither and protected by the extended
+ * Golay code and a check. The mark belongs to the solid, not to its triangles. It needs a surface
+ * that encloses a volume; small holes do no harm. NumberOfBits and the secret key are its only
+ * properties here. Filters/README.md explains what it is made of, why it holds and what breaks it.
+ * Without a secret key it works with a public one: anyone can then read the mark, or find it.
+ *
+ * PaperSlots with a secret key (SecretKey or SecretKeyFile): the carrier's place in each slot is drawn from
  * the key, uniformly from positions 2 to SlotSize - 1, and the message is whitened with a
  * keystream: slot i holds the bit k_i xor a fair coin of the key. Whoever has another key, or none,
  * reads coin flips. Positions, keystream and derived messages come from libsodium's BLAKE2b and
@@ -45,11 +52,12 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Watermarking schemes. This version has one, the paper's.
+   * Watermarking schemes.
    */
   enum SchemeType
   {
-    PaperSlots = 0
+    PaperSlots = 0, ///< the paper's: a bit in each slot of the spectrum of manifold harmonics
+    Robust = 1      ///< bits in the Fourier transform of the solid
   };
 
   ///@{
@@ -59,6 +67,7 @@ public:
   vtkSetMacro(Scheme, int);
   vtkGetMacro(Scheme, int);
   void SetSchemeToPaperSlots() { this->SetScheme(PaperSlots); }
+  void SetSchemeToRobust() { this->SetScheme(Robust); }
   const char* GetSchemeAsString() const;
   ///@}
 
@@ -146,10 +155,11 @@ public:
   ///@{
   /**
    * Set/Get how many bits: those to read, and those of a message derived from the secret key.
-   * Default 5, at least 1. A message that is given decides instead.
+   * Default 5 for PaperSlots and 64 for Robust, which is what 0 stands for; the getter gives the
+   * number that is used. Robust takes up to 1024. A message that is given decides instead.
    */
-  vtkSetClampMacro(NumberOfBits, int, 1, 1000000);
-  vtkGetMacro(NumberOfBits, int);
+  vtkSetClampMacro(NumberOfBits, int, 0, 1000000);
+  int GetNumberOfBits() const;
   ///@}
 
   ///@{
@@ -185,8 +195,20 @@ protected:
   std::unique_ptr<spectralwatermark::SecretKey> ReadSecretKey() const;
 
   /**
+   * The same for the scheme Robust: a public key where there is none.
+   */
+  std::unique_ptr<spectralwatermark::SecretKey> ReadRobustKey() const;
+
+  bool IsRobust() const { return this->Scheme == Robust; }
+
+  /**
+   * Throws when the scheme is none of SchemeType.
+   */
+  void CheckScheme() const;
+
+  /**
    * The properties above for the Core, checked for this many bits; throws when they contradict
-   * each other or the scheme is unknown.
+   * each other.
    */
   spectralwatermark::SlotOptions GetSlotOptions(const spectralwatermark::SecretKey* key,
     long long bits) const;
@@ -202,7 +224,7 @@ private:
   int CarrierPosition = 5;
   int BitEmbedding = Aggressive;
   double TurbulenceFactor = 1.0;
-  int NumberOfBits = 5;
+  int NumberOfBits = 0;
   std::string SecretKey;
   std::string SecretKeyFile;
 };

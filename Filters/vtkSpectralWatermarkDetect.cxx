@@ -4,6 +4,8 @@
 #include "Core/Detection.h"
 #include "Core/Errors.h"
 #include "Core/SecretKey.h"
+#include "Core/SolidWatermark.h"
+#include "Private/CarrierTable.h"
 #include "Private/FilterRun.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
@@ -42,30 +44,65 @@ int vtkSpectralWatermarkDetect::RequestData(vtkInformation*, vtkInformationVecto
   return sw::RunFilter(this, this->ErrorCode, outputs,
     [&]()
     {
+      this->CheckScheme();
       vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      const sw::PolyDataMesh mesh = sw::ToMesh(input);
-
-      const std::unique_ptr<sw::SecretKey> key = this->ReadSecretKey();
-      const std::string wanted = this->WantedMessage(key.get());
-      const sw::Index bits =
-        wanted.empty() ? this->GetNumberOfBits() : static_cast<sw::Index>(wanted.size());
-      const sw::SlotOptions slots = this->GetSlotOptions(key.get(), bits);
-      sw::CheckCapacity(slots, bits, mesh.Mesh.NumberOfVertices());
-
-      const sw::ManifoldHarmonics harmonics = sw::FindOrComputeHarmonics(input, mesh,
-        sw::ComponentsNeeded(slots, bits), sw::ProgressOf(this), this->NumberOfEigensolves);
-      sw::CheckSlotsAboveKernel(slots, harmonics.KernelDimension);
-      const std::vector<sw::SlotReading> readings = sw::ReadSlots(
-        sw::Magnitudes(sw::ForwardTransform(harmonics, mesh.Mesh.Points)), slots, bits);
-
-      vtkPolyData::GetData(outputs, 0)->ShallowCopy(input);
-      sw::FillDetectionTable(vtkTable::GetData(outputs, 1), readings, slots);
-      this->ExtractedMessage = sw::MessageOf(readings);
-      if (!wanted.empty())
+      vtkTable* table = vtkTable::GetData(outputs, 1);
+      if (this->IsRobust())
       {
-        this->Compare(readings, slots, wanted);
+        this->ReadSolid(input, table);
       }
+      else
+      {
+        this->ReadSlots(input, table);
+      }
+      vtkPolyData::GetData(outputs, 0)->ShallowCopy(input);
     });
+}
+
+void vtkSpectralWatermarkDetect::ReadSlots(vtkPolyData* input, vtkTable* table)
+{
+  const sw::PolyDataMesh mesh = sw::ToMesh(input);
+  const std::unique_ptr<sw::SecretKey> key = this->ReadSecretKey();
+  const std::string wanted = this->WantedMessage(key.get());
+  const sw::Index bits =
+    wanted.empty() ? this->GetNumberOfBits() : static_cast<sw::Index>(wanted.size());
+  const sw::SlotOptions slots = this->GetSlotOptions(key.get(), bits);
+  sw::CheckCapacity(slots, bits, mesh.Mesh.NumberOfVertices());
+
+  const sw::ManifoldHarmonics harmonics = sw::FindOrComputeHarmonics(input, mesh,
+    sw::ComponentsNeeded(slots, bits), sw::ProgressOf(this), this->NumberOfEigensolves);
+  sw::CheckSlotsAboveKernel(slots, harmonics.KernelDimension);
+  const std::vector<sw::SlotReading> readings =
+    sw::ReadSlots(sw::Magnitudes(sw::ForwardTransform(harmonics, mesh.Mesh.Points)), slots, bits);
+
+  sw::FillDetectionTable(table, readings, slots);
+  this->ExtractedMessage = sw::MessageOf(readings);
+  if (!wanted.empty())
+  {
+    this->Compare(readings, slots, wanted);
+  }
+}
+
+void vtkSpectralWatermarkDetect::ReadSolid(vtkPolyData* input, vtkTable* table)
+{
+  const sw::PolyDataMesh mesh = sw::ToMesh(input);
+  const std::unique_ptr<sw::SecretKey> key = this->ReadRobustKey();
+  const std::string wanted = this->WantedMessage(this->GetHasSecretKey() ? key.get() : nullptr);
+  const sw::Index bits =
+    wanted.empty() ? this->GetNumberOfBits() : static_cast<sw::Index>(wanted.size());
+  const sw::SolidReading reading =
+    sw::ReadSolid(mesh.Mesh, *key, bits, wanted, sw::ThreadsOfVtk(), sw::ProgressOf(this));
+
+  sw::FillCarriersTable(table, reading);
+  this->ExtractedMessage = reading.Message;
+  this->MessageIsValid = reading.IsValid ? 1 : 0;
+  this->UndoneSmoothing = reading.Hypothesis.Smoothing;
+  if (!wanted.empty())
+  {
+    this->CountErrors(wanted);
+    this->PValue = reading.PValue;
+    this->Detected = this->PValue <= this->FalsePositiveRate ? 1 : 0;
+  }
 }
 
 void vtkSpectralWatermarkDetect::ResetResults()
@@ -77,6 +114,8 @@ void vtkSpectralWatermarkDetect::ResetResults()
   this->LogLikelihoodRatio = 0.0;
   this->Detected = 0;
   this->NumberOfEigensolves = 0;
+  this->MessageIsValid = 0;
+  this->UndoneSmoothing = 0;
 }
 
 std::string vtkSpectralWatermarkDetect::WantedMessage(const sw::SecretKey* key)
@@ -99,12 +138,17 @@ std::string vtkSpectralWatermarkDetect::WantedMessage(const sw::SecretKey* key)
   return key->Message(this->GetNumberOfBits());
 }
 
-void vtkSpectralWatermarkDetect::Compare(const std::vector<sw::SlotReading>& readings,
-  const sw::SlotOptions& slots, const std::string& wanted)
+void vtkSpectralWatermarkDetect::CountErrors(const std::string& wanted)
 {
   const sw::Index agreements = sw::CountAgreements(this->ExtractedMessage, wanted);
   this->BitErrorRate = 1.0 - static_cast<double>(agreements) / static_cast<double>(wanted.size());
   this->Correlation = 1.0 - 2.0 * this->BitErrorRate;
+}
+
+void vtkSpectralWatermarkDetect::Compare(const std::vector<sw::SlotReading>& readings,
+  const sw::SlotOptions& slots, const std::string& wanted)
+{
+  this->CountErrors(wanted);
   this->LogLikelihoodRatio = sw::LogLikelihoodRatio(readings, slots, wanted);
   const sw::UnmarkedModel unmarked = sw::UnmarkedModelOf(slots);
   this->PValue = this->Detector == Likelihood
@@ -135,5 +179,6 @@ void vtkSpectralWatermarkDetect::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PValue: " << this->PValue << "\n";
   os << indent << "LogLikelihoodRatio: " << this->LogLikelihoodRatio << "\n";
   os << indent << "Detected: " << this->Detected << "\n";
+  os << indent << "UndoneSmoothing: " << this->UndoneSmoothing << "\n";
   os << indent << "NumberOfEigensolves: " << this->NumberOfEigensolves << "\n";
 }

@@ -16,11 +16,21 @@
  * SetDetector()), `Confidence` (from 0 to 1: the probability of that bit if the
  * mesh carries a mark, by the likelihoods of SetDetector()).
  *
+ * Scheme Robust: reads the carriers in the solid's own frame, trying the steps that they may have been
+ * quantised with, the signs of the frame's axes where they are unclear, and smoothings that may have
+ * to be undone first; the best fit is what is read. GetMessageIsValid() tells whether the message's
+ * check holds: by chance it does so once in a million meshes. Port 1: a row per carrier: `Carrier`,
+ * `Value`, `Margin` (from -1, surely 0, to 1, surely 1), `Bit` (of the code, before correction).
+ *
  * Set ExpectedMessage, or UseDerivedMessage with a secret key, to have the verdict:
  * GetBitErrorRate(), GetCorrelation(), GetPValue(), GetLogLikelihoodRatio() and GetDetected().
  *
  * The p-value is the probability that an unmarked mesh agrees with the expected message at least
- * as well. With a secret key it is exact: each bit then agrees like a fair coin of the key,
+ * as well. Robust: of n carriers, each of which agrees like a fair coin of the key whatever the mesh,
+ * as many agree in one given reading with exactly binomial probability; multiplied by the number of
+ * readings that detection tries (1,664), it bounds that of the best one. Without a secret key the
+ * dither is public: the bound then holds for meshes that were not made to agree. PaperSlots, with a
+ * secret key it is exact: each bit then agrees like a fair coin of the key,
  * whatever the mesh. Without one, bits of unmarked meshes are not fair (0 is the likelier) and the
  * p-value is an upper bound from how 15 unmarked scans read: their slots (of 10 components, from 21
  * to 300) read 1 in at most 52 % and 0 in at most 60 % of all cases (57 % in narrow slots), for
@@ -46,6 +56,8 @@ namespace spectralwatermark
 {
 struct SlotReading;
 }
+
+class vtkTable;
 
 class VTKFILTERSSPECTRALWATERMARK_EXPORT vtkSpectralWatermarkDetect
   : public vtkSpectralWatermarkAlgorithm
@@ -108,12 +120,18 @@ public:
   ///@}
 
   /**
+   * Get how many iterations of smoothing (of vtkMeshAttack, LaplacianSmoothing, factor 0.1) Robust
+   * had to undo for its reading.
+   */
+  vtkGetMacro(UndoneSmoothing, int);
+
+  /**
    * Get the bits that were read, the best guess for each; "" after an error or an abort.
    */
   const char* GetExtractedMessage() const { return this->ExtractedMessage.c_str(); }
 
   /**
-   * Get whether the message's own check holds. PaperSlots messages carry none: always 0.
+   * Get whether the message's own check holds (Robust). PaperSlots messages carry none: always 0.
    */
   vtkGetMacro(MessageIsValid, int);
 
@@ -137,7 +155,7 @@ public:
   /**
    * Get the natural logarithm of how much likelier the carriers' magnitudes are if the mesh carries
    * the expected message than if it is unmarked: the optimal statistic as far as the likelihoods
-   * of SetDetector() hold. 0 without an expected message. Not calibrated: for a certainty use
+   * of SetDetector() hold. 0 without an expected message, and for Robust. Not calibrated: for a certainty use
    * GetPValue().
    */
   vtkGetMacro(LogLikelihoodRatio, double);
@@ -164,6 +182,9 @@ private:
 
   void ResetResults();
   std::string WantedMessage(const spectralwatermark::SecretKey* key);
+  void ReadSlots(vtkPolyData* input, vtkTable* table);
+  void ReadSolid(vtkPolyData* input, vtkTable* table);
+  void CountErrors(const std::string& wanted);
   void Compare(const std::vector<spectralwatermark::SlotReading>& readings,
     const spectralwatermark::SlotOptions& slots, const std::string& wanted);
 
@@ -180,6 +201,7 @@ private:
   double LogLikelihoodRatio = 0.0;
   int Detected = 0;
   int NumberOfEigensolves = 0;
+  int UndoneSmoothing = 0;
 };
 
 #endif

@@ -2,8 +2,11 @@
 #include "vtkSpectralWatermarkEmbed.h"
 
 #include "Core/Distortion.h"
+#include "Core/Errors.h"
 #include "Core/IterativeEmbedding.h"
 #include "Core/SecretKey.h"
+#include "Core/SolidWatermark.h"
+#include "Private/CarrierTable.h"
 #include "Private/FilterRun.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
@@ -25,12 +28,36 @@ vtkSpectralWatermarkEmbed::~vtkSpectralWatermarkEmbed() = default;
 void vtkSpectralWatermarkEmbed::SetMessage(const char* message)
 {
   const std::string wanted = message != nullptr ? message : "";
-  if (wanted != this->Message)
+  if (wanted != this->GetMessage())
   {
     this->Message = wanted;
     this->Modified();
   }
+  this->Message = wanted;
+  this->MessageIsSet = true;
 }
+
+const char* vtkSpectralWatermarkEmbed::GetMessage() const
+{
+  const bool isPapers = !this->MessageIsSet && !this->IsRobust();
+  return isPapers ? "10110" : this->Message.c_str();
+}
+
+namespace
+{
+
+// What is the same whatever the scheme.
+void SetMarkedPoints(vtkPolyData* output, vtkPolyData* input, const sw::PolyDataMesh& mesh,
+  const sw::TriangleMesh::PointMatrix& points, int precision)
+{
+  output->ShallowCopy(input);
+  sw::DropHarmonics(output);
+  sw::SetPoints(output, input, mesh, points, precision);
+  output->GetPointData()->AddArray(sw::ToPointArray("GeometricDistortion", mesh,
+    sw::GeometricDifference(mesh.Mesh.Points, points) / sw::BoundingBoxDiagonal(mesh.Mesh.Points)));
+}
+
+} // namespace
 
 int vtkSpectralWatermarkEmbed::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
@@ -39,44 +66,94 @@ int vtkSpectralWatermarkEmbed::RequestData(vtkInformation*, vtkInformationVector
   return sw::RunFilter(this, this->ErrorCode, outputs,
     [&]()
     {
+      this->CheckScheme();
       vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
       vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-      const sw::PolyDataMesh mesh = sw::ToMesh(input);
-
-      const std::unique_ptr<sw::SecretKey> key = this->ReadSecretKey();
-      sw::EmbeddingOptions options;
-      options.Message =
-        this->Message.empty() && key ? key->Message(this->GetNumberOfBits()) : this->Message;
-      const auto bits = static_cast<sw::Index>(options.Message.size());
-      options.Slots = this->GetSlotOptions(key.get(), bits);
-      options.RequiredBits = this->RequiredBits;
-      options.MaximumIterations = this->MaximumNumberOfIterations;
-      options.Threads = sw::ThreadsOfVtk();
-      options.RoundToFloat = sw::StoresFloat(input, this->OutputPointsPrecision);
-
-      const sw::Index needed = sw::ComponentsNeeded(options.Slots, bits);
-      const sw::EmbeddingResult result = sw::EmbedMessage(mesh.Mesh, options,
-        sw::FindHarmonics(input, sw::DefaultBasisName, mesh, sw::MassMatrix::Lumped, needed),
-        sw::ProgressOf(this));
-
-      output->ShallowCopy(input);
-      sw::DropHarmonics(output);
-      sw::SetPoints(output, input, mesh, result.Points, this->OutputPointsPrecision);
-      output->GetPointData()->AddArray(sw::ToPointArray("GeometricDistortion", mesh,
-        sw::GeometricDifference(mesh.Mesh.Points, result.Points) /
-          sw::BoundingBoxDiagonal(mesh.Mesh.Points)));
-      sw::FillEmbeddingTable(vtkTable::GetData(outputs, 1), result.History, options.Message);
-
-      this->Converged = result.Converged ? 1 : 0;
-      this->NumberOfIterationsUsed = static_cast<int>(result.Iterations);
-      this->NumberOfEigensolves = static_cast<int>(result.Eigensolves);
-      this->ExtractedMessage = result.ExtractedMessage;
-      this->WarnUnlessConverged(options.Message);
+      vtkTable* table = vtkTable::GetData(outputs, 1);
+      if (this->IsRobust())
+      {
+        this->EmbedInSolid(input, output, table);
+      }
+      else
+      {
+        this->EmbedInSlots(input, output, table);
+      }
     });
+}
+
+std::string vtkSpectralWatermarkEmbed::WantedMessage(const sw::SecretKey* key) const
+{
+  const std::string message = this->GetMessage();
+  return message.empty() && this->GetHasSecretKey() ? key->Message(this->GetNumberOfBits())
+                                                    : message;
+}
+
+void vtkSpectralWatermarkEmbed::EmbedInSlots(vtkPolyData* input, vtkPolyData* output,
+  vtkTable* table)
+{
+  const sw::PolyDataMesh mesh = sw::ToMesh(input);
+  const std::unique_ptr<sw::SecretKey> key = this->ReadSecretKey();
+  sw::EmbeddingOptions options;
+  options.Message = this->WantedMessage(key.get());
+  const auto bits = static_cast<sw::Index>(options.Message.size());
+  options.Slots = this->GetSlotOptions(key.get(), bits);
+  options.RequiredBits = this->RequiredBits;
+  options.MaximumIterations = this->MaximumNumberOfIterations;
+  options.Threads = sw::ThreadsOfVtk();
+  options.RoundToFloat = sw::StoresFloat(input, this->OutputPointsPrecision);
+
+  const sw::Index needed = sw::ComponentsNeeded(options.Slots, bits);
+  const sw::EmbeddingResult result = sw::EmbedMessage(mesh.Mesh, options,
+    sw::FindHarmonics(input, sw::DefaultBasisName, mesh, sw::MassMatrix::Lumped, needed),
+    sw::ProgressOf(this));
+
+  SetMarkedPoints(output, input, mesh, result.Points, this->OutputPointsPrecision);
+  sw::FillEmbeddingTable(table, result.History, options.Message);
+  this->Converged = result.Converged ? 1 : 0;
+  this->NumberOfIterationsUsed = static_cast<int>(result.Iterations);
+  this->NumberOfEigensolves = static_cast<int>(result.Eigensolves);
+  this->ExtractedMessage = result.ExtractedMessage;
+  this->WarnUnlessConverged(options.Message);
+}
+
+void vtkSpectralWatermarkEmbed::EmbedInSolid(vtkPolyData* input, vtkPolyData* output,
+  vtkTable* table)
+{
+  const sw::PolyDataMesh mesh = sw::ToMesh(input);
+  const std::unique_ptr<sw::SecretKey> key = this->ReadRobustKey();
+  sw::SolidEmbeddingOptions options;
+  options.Message = this->WantedMessage(key.get());
+  if (options.Message.empty())
+  {
+    throw sw::InvalidInput(
+      "there is no message to embed: set Message, or a secret key that derives "
+      "one");
+  }
+  options.MaximumDistortion = this->MaximumDistortion / 100.0;
+  options.Threads = sw::ThreadsOfVtk();
+  options.RoundToFloat = sw::StoresFloat(input, this->OutputPointsPrecision);
+  const sw::SolidEmbeddingResult result =
+    sw::EmbedInSolid(mesh.Mesh, *key, options, sw::ProgressOf(this));
+
+  SetMarkedPoints(output, input, mesh, result.Points, this->OutputPointsPrecision);
+  sw::FillRoundsTable(table, result.Rounds);
+  this->Converged = result.Converged ? 1 : 0;
+  this->NumberOfIterationsUsed = static_cast<int>(result.Rounds.size()) - 1;
+  this->Distortion = 100.0 * result.Distortion;
+  this->Margin = result.Margin;
+  this->ExtractedMessage = result.ExtractedMessage;
+  if (!this->Converged)
+  {
+    vtkWarningMacro("embedding did not succeed: the output reads "
+      << this->ExtractedMessage << ", wanted " << options.Message << ", at a distortion of "
+      << this->Distortion << " %. Raise MaximumDistortion, or embed fewer bits");
+  }
 }
 
 void vtkSpectralWatermarkEmbed::ResetResults()
 {
+  this->Distortion = 0.0;
+  this->Margin = 0.0;
   this->Converged = 0;
   this->NumberOfIterationsUsed = 0;
   this->NumberOfEigensolves = 0;
@@ -97,10 +174,13 @@ void vtkSpectralWatermarkEmbed::WarnUnlessConverged(const std::string& wanted)
 void vtkSpectralWatermarkEmbed::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Message: " << this->Message << "\n";
+  os << indent << "Message: " << this->GetMessage() << "\n";
   os << indent << "RequiredBits: " << this->RequiredBits << "\n";
   os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
+  os << indent << "MaximumDistortion: " << this->MaximumDistortion << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "Distortion: " << this->Distortion << "\n";
+  os << indent << "Margin: " << this->Margin << "\n";
   os << indent << "Converged: " << this->Converged << "\n";
   os << indent << "NumberOfIterationsUsed: " << this->NumberOfIterationsUsed << "\n";
   os << indent << "NumberOfEigensolves: " << this->NumberOfEigensolves << "\n";

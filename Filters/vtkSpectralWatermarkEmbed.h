@@ -3,10 +3,15 @@
  * @class   vtkSpectralWatermarkEmbed
  * @brief   Hides a message in the spectrum of a triangle mesh
  *
- * Embeds a bit into one magnitude of each slot (paper, eqs. 10 and 11) and repeats with the
+ * Scheme PaperSlots: embeds a bit into one magnitude of each slot (paper, eqs. 10 and 11) and repeats with the
  * changed mesh's own basis until the message is read back blind (paper, 2.3). Only the change of
  * the spectrum is transformed back and added to the points, so that no detail is lost. What is
  * checked are the points exactly as they leave the filter, rounded to their output precision.
+ *
+ * Scheme Robust: moves the points along their normals by the smallest displacement, in root mean
+ * square over the surface, that puts all carriers where the message wants them, as firmly as
+ * MaximumDistortion allows, and reads the result blind. GetDistortion() tells what was spent,
+ * GetMargin() how firmly the weakest carrier holds.
  *
  * Output port 0: the marked mesh, with the input's cells and attributes, the new points, and
  * point data `GeometricDistortion` (double: each point's displacement as a fraction of the
@@ -15,7 +20,8 @@
  *
  * Output port 1: a vtkTable with a row per iteration and slot: `Iteration` (0: the input),
  * `Slot` and `Component` (1-based), `Magnitude`, `Average`, `Deviation` (length^2), `BitWanted`,
- * `BitRead`.
+ * `BitRead`; for Robust a row per iteration: `Iteration`, `Distortion` (percent of the diagonal),
+ * `LargestError` (of a carrier, in steps of its quantisation; over 0.25 reads another bit).
  *
  * A basis on the input (vtkManifoldHarmonics, lumped, at least as many harmonics as the slots
  * need) serves the first iteration.
@@ -26,8 +32,8 @@
  *
  * Errors (vtkErrorMacro, an error code, empty outputs): as for vtkManifoldHarmonics; an empty
  * message without a secret key, or one with characters other than 0 and 1; a key file that cannot
- * be used; more bits than the mesh can carry; slots
- * that contradict each other or reach into the constant harmonics.
+ * be used; more bits than the mesh can carry, or than MaximumDistortion allows; slots that contradict
+ * each other or reach into the constant harmonics; with Robust, a surface that encloses no volume.
  *
  * @code{.cpp}
  * vtkNew<vtkSpectralWatermarkEmbed> embed;
@@ -47,6 +53,8 @@
 
 #include <string> // for Message
 
+class vtkTable;
+
 class VTKFILTERSSPECTRALWATERMARK_EXPORT vtkSpectralWatermarkEmbed
   : public vtkSpectralWatermarkAlgorithm
 {
@@ -57,12 +65,13 @@ public:
 
   ///@{
   /**
-   * Set/Get the bits to embed (the paper's "key"), a string of 0 and 1. Default "10110". n bits
-   * need FirstComponent - 1 + n SlotSize harmonics. Empty with a secret key: NumberOfBits bits
-   * derived from the key, so that there is nothing else to remember. Empty without one: an error.
+   * Set/Get the bits to embed (the paper's "key"), a string of 0 and 1. Default "10110" for
+   * PaperSlots and "" for Robust. n bits in PaperSlots need FirstComponent - 1 + n SlotSize
+   * harmonics. Empty with a secret key: NumberOfBits bits derived from the key, so that there is
+   * nothing else to remember. Empty without one: an error.
    */
   void SetMessage(const char* message);
-  const char* GetMessage() const { return this->Message.c_str(); }
+  const char* GetMessage() const;
   ///@}
 
   ///@{
@@ -84,6 +93,16 @@ public:
 
   ///@{
   /**
+   * Set/Get how far Robust may move the surface: the root mean square of the displacement over the
+   * surface, in percent of the bounding box's diagonal. Default 0.07, positive. The mark is made as
+   * robust as that allows.
+   */
+  vtkSetClampMacro(MaximumDistortion, double, VTK_DBL_MIN, 100.0);
+  vtkGetMacro(MaximumDistortion, double);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the precision of the output points, a vtkAlgorithm::DesiredOutputPrecision. Default
    * DEFAULT_PRECISION: the input's. Choose SINGLE_PRECISION when the mesh goes to a file format
    * that stores floats, so that what was verified is what the file holds.
@@ -93,9 +112,21 @@ public:
   ///@}
 
   /**
-   * Get whether at least RequiredBits bits of the output were read back right.
+   * Get whether at least RequiredBits bits of the output were read back right; for Robust, whether
+   * the whole message was, blind, and its check holds.
    */
   vtkGetMacro(Converged, int);
+
+  /**
+   * Get what Robust spent of MaximumDistortion, in the same unit; 0 for PaperSlots.
+   */
+  vtkGetMacro(Distortion, double);
+
+  /**
+   * Get how firmly the weakest carrier of Robust holds its bit: 1 in the middle of its cell, 0 at
+   * the border to the other bit. 0 for PaperSlots.
+   */
+  vtkGetMacro(Margin, double);
 
   /**
    * Get how many times the output's points were changed.
@@ -124,13 +155,20 @@ private:
   void operator=(const vtkSpectralWatermarkEmbed&) = delete;
 
   void ResetResults();
+  void EmbedInSlots(vtkPolyData* input, vtkPolyData* output, vtkTable* table);
+  void EmbedInSolid(vtkPolyData* input, vtkPolyData* output, vtkTable* table);
+  std::string WantedMessage(const spectralwatermark::SecretKey* key) const;
   void WarnUnlessConverged(const std::string& wanted);
 
-  std::string Message = "10110";
+  std::string Message;
+  bool MessageIsSet = false;
   int RequiredBits = 0;
   int MaximumNumberOfIterations = 20;
+  double MaximumDistortion = 0.07;
   int OutputPointsPrecision = DEFAULT_PRECISION;
 
+  double Distortion = 0.0;
+  double Margin = 0.0;
   int Converged = 0;
   int NumberOfIterationsUsed = 0;
   int NumberOfEigensolves = 0;

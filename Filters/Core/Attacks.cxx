@@ -34,40 +34,42 @@ std::map<Edge, std::vector<Index>> TrianglesOfEdges(const TriangleMesh& mesh)
   return triangles;
 }
 
-struct Neighbourhood
-{
-  std::vector<std::vector<Index>> Neighbours;
-  std::vector<bool> Inner; // every edge of the vertex has two triangles
-};
-
-Neighbourhood NeighbourhoodOf(const TriangleMesh& mesh,
+// The neighbours of every vertex all of whose edges have two triangles; none of the others.
+std::vector<std::vector<Index>> InnerNeighbours(const TriangleMesh& mesh,
   const std::map<Edge, std::vector<Index>>& triangles)
 {
   const auto count = static_cast<std::size_t>(mesh.NumberOfVertices());
-  Neighbourhood around{ std::vector<std::vector<Index>>(count), std::vector<bool>(count, true) };
+  std::vector<std::vector<Index>> neighbours(count);
+  std::vector<bool> isInner(count, true);
   for (const auto& [edge, sides] : triangles)
   {
-    around.Neighbours[static_cast<std::size_t>(edge.first)].push_back(edge.second);
-    around.Neighbours[static_cast<std::size_t>(edge.second)].push_back(edge.first);
-    if (sides.size() != 2)
+    const auto a = static_cast<std::size_t>(edge.first);
+    const auto b = static_cast<std::size_t>(edge.second);
+    neighbours[a].push_back(edge.second);
+    neighbours[b].push_back(edge.first);
+    isInner[a] = isInner[a] && sides.size() == 2;
+    isInner[b] = isInner[b] && sides.size() == 2;
+  }
+  for (std::size_t v = 0; v < count; ++v)
+  {
+    if (!isInner[v])
     {
-      around.Inner[static_cast<std::size_t>(edge.first)] = false;
-      around.Inner[static_cast<std::size_t>(edge.second)] = false;
+      neighbours[v].clear();
     }
   }
-  return around;
+  return neighbours;
 }
 
-// v + factor(valence) * (mean of the neighbours - v) for inner vertices.
+// v + factor(valence) * (mean of the neighbours - v) where there are any.
 template <typename Factor>
 TriangleMesh::PointMatrix Relax(const TriangleMesh::PointMatrix& points,
-  const Neighbourhood& around, const Factor& factor)
+  const std::vector<std::vector<Index>>& neighboursOf, const Factor& factor)
 {
   TriangleMesh::PointMatrix relaxed = points;
   for (Index v = 0; v < points.rows(); ++v)
   {
-    const std::vector<Index>& neighbours = around.Neighbours[static_cast<std::size_t>(v)];
-    if (neighbours.empty() || !around.Inner[static_cast<std::size_t>(v)])
+    const std::vector<Index>& neighbours = neighboursOf[static_cast<std::size_t>(v)];
+    if (neighbours.empty())
     {
       continue;
     }
@@ -106,14 +108,25 @@ TriangleMesh::PointMatrix NoiseUniform(const TriangleMesh& mesh, double amplitud
   return points;
 }
 
+UmbrellaSmoothing::UmbrellaSmoothing(const TriangleMesh& mesh)
+  : Neighbours(InnerNeighbours(mesh, TrianglesOfEdges(mesh)))
+{
+}
+
+TriangleMesh::PointMatrix UmbrellaSmoothing::Apply(const TriangleMesh::PointMatrix& points,
+  double factor) const
+{
+  return Relax(points, this->Neighbours, [factor](double) { return factor; });
+}
+
 TriangleMesh::PointMatrix LaplacianSmoothing(const TriangleMesh& mesh, double factor,
   int iterations, const Progress& progress)
 {
-  const Neighbourhood around = NeighbourhoodOf(mesh, TrianglesOfEdges(mesh));
+  const UmbrellaSmoothing smoothing(mesh);
   TriangleMesh::PointMatrix points = mesh.Points;
   for (int k = 0; k < iterations; ++k)
   {
-    points = Relax(points, around, [factor](double) { return factor; });
+    points = smoothing.Apply(points, factor);
     progress.Report(static_cast<double>(k + 1) / iterations);
   }
   return points;
@@ -181,7 +194,7 @@ TriangleMesh SubdivideOnce(const TriangleMesh& mesh)
   const Index n = mesh.NumberOfVertices();
   TriangleMesh fine;
   fine.Points.resize(n + mesh.NumberOfTriangles(), 3);
-  fine.Points.topRows(n) = Relax(mesh.Points, NeighbourhoodOf(mesh, sides),
+  fine.Points.topRows(n) = Relax(mesh.Points, InnerNeighbours(mesh, sides),
     [](double valence) { return (4.0 - 2.0 * std::cos(2.0 * Pi / valence)) / 9.0; });
   std::vector<std::array<Index, 3>> triangles;
   for (Index t = 0; t < mesh.NumberOfTriangles(); ++t)

@@ -20,8 +20,20 @@ double MeanDistanceToCentre(const TriangleMesh& mesh);
 TriangleMesh::PointMatrix NoiseUniform(const TriangleMesh& mesh, double amplitude,
   std::uint64_t seed);
 
-/// v + factor * (mean of v's neighbours - v), all vertices at once, so many times. Vertices of
-/// edges that do not have two triangles stay where they are.
+/// Smoothing by the umbrella operator: v + factor * (mean of v's neighbours - v), all vertices at once.
+/// Vertices of edges that do not have two triangles stay where they are.
+class UmbrellaSmoothing
+{
+public:
+  explicit UmbrellaSmoothing(const TriangleMesh& mesh);
+
+  TriangleMesh::PointMatrix Apply(const TriangleMesh::PointMatrix& points, double factor) const;
+
+private:
+  std::vector<std::vector<Index>> Neighbours; // none of vertices that stay
+};
+
+/// So many times.
 TriangleMesh::PointMatrix LaplacianSmoothing(const TriangleMesh& mesh, double factor,
   int iterations, const Progress& progress);
 

@@ -14,13 +14,18 @@ namespace
 {
 
 constexpr char MasterLabel[] = "SpectralWatermark v1";
+constexpr std::size_t WordSize = 8;
 constexpr char KdfContext[crypto_kdf_CONTEXTBYTES + 1] = "SpecWM_1";
 
 enum Purpose : std::uint64_t
 {
   Positions = 1,
   Whitening = 2,
-  OwnMessage = 3
+  OwnMessage = 3,
+  Waves = 4,
+  Dithers = 5,
+  CarrierWhitening = 6,
+  MessageCheck = 7
 };
 
 void InitializeSodium()
@@ -50,47 +55,91 @@ SecretKey::~SecretKey()
   sodium_memzero(this->Master.data(), this->Master.size());
 }
 
-std::vector<unsigned char> SecretKey::Stream(std::uint64_t purpose, std::size_t size) const
+std::array<unsigned char, 32> SecretKey::Seed(std::uint64_t purpose) const
 {
   static_assert(crypto_kdf_KEYBYTES == 32 && randombytes_SEEDBYTES == 32);
-  std::array<unsigned char, randombytes_SEEDBYTES> seed{};
+  std::array<unsigned char, 32> seed{};
   crypto_kdf_derive_from_key(seed.data(), seed.size(), purpose, KdfContext, this->Master.data());
+  return seed;
+}
+
+std::vector<unsigned char> SecretKey::Stream(std::uint64_t purpose, std::size_t size) const
+{
+  std::array<unsigned char, 32> seed = this->Seed(purpose);
   std::vector<unsigned char> stream(size);
   randombytes_buf_deterministic(stream.data(), stream.size(), seed.data());
   sodium_memzero(seed.data(), seed.size());
   return stream;
 }
 
+namespace
+{
+
+// Words of eight bytes, little-endian on every platform.
+std::vector<std::uint64_t> Words(const std::vector<unsigned char>& stream)
+{
+  std::vector<std::uint64_t> words;
+  for (std::size_t begin = 0; begin + WordSize <= stream.size(); begin += WordSize)
+  {
+    std::uint64_t word = 0;
+    for (std::size_t byte = WordSize; byte-- > 0;)
+    {
+      word = (word << 8) | stream[begin + byte];
+    }
+    words.push_back(word);
+  }
+  return words;
+}
+
+std::string FirstBits(const unsigned char* bytes, Eigen::Index bits)
+{
+  std::string text;
+  for (Eigen::Index i = 0; i < bits; ++i)
+  {
+    text += (bytes[i / 8] >> (i % 8)) % 2 == 1 ? '1' : '0';
+  }
+  return text;
+}
+
+} // namespace
+
 std::vector<Eigen::Index> SecretKey::CarrierPositions(Eigen::Index slots,
   Eigen::Index slotSize) const
 {
-  constexpr std::size_t wordSize = 8;
-  const std::vector<unsigned char> stream =
-    this->Stream(Positions, wordSize * static_cast<std::size_t>(slots));
   std::vector<Eigen::Index> positions;
-  for (std::size_t slot = 0; slot < static_cast<std::size_t>(slots); ++slot)
+  for (const std::uint64_t word :
+    Words(this->Stream(Positions, WordSize * static_cast<std::size_t>(slots))))
   {
-    std::uint64_t word = 0; // little-endian on every platform
-    for (std::size_t byte = wordSize; byte-- > 0;)
-    {
-      word = (word << 8) | stream[wordSize * slot + byte];
-    }
     positions.push_back(
       2 + static_cast<Eigen::Index>(word % static_cast<std::uint64_t>(slotSize - 2)));
   }
   return positions;
 }
 
+std::vector<double> SecretKey::Uniform(std::uint64_t purpose, Eigen::Index count) const
+{
+  std::vector<double> numbers;
+  for (const std::uint64_t word :
+    Words(this->Stream(purpose, WordSize * static_cast<std::size_t>(count))))
+  {
+    numbers.push_back(static_cast<double>(word >> 11) * 0x1.0p-53);
+  }
+  return numbers;
+}
+
+std::vector<double> SecretKey::WaveNumbers(Eigen::Index count) const
+{
+  return this->Uniform(Waves, count);
+}
+
+std::vector<double> SecretKey::Dither(Eigen::Index count) const
+{
+  return this->Uniform(Dithers, count);
+}
+
 std::string SecretKey::Bits(std::uint64_t purpose, Eigen::Index bits) const
 {
-  const auto count = static_cast<std::size_t>(bits);
-  const std::vector<unsigned char> stream = this->Stream(purpose, (count + 7) / 8);
-  std::string text;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    text += (stream[i / 8] >> (i % 8)) % 2 == 1 ? '1' : '0';
-  }
-  return text;
+  return FirstBits(this->Stream(purpose, (static_cast<std::size_t>(bits) + 7) / 8).data(), bits);
 }
 
 std::string SecretKey::Keystream(Eigen::Index bits) const
@@ -101,6 +150,22 @@ std::string SecretKey::Keystream(Eigen::Index bits) const
 std::string SecretKey::Message(Eigen::Index bits) const
 {
   return this->Bits(OwnMessage, bits);
+}
+
+std::string SecretKey::CarrierKeystream(Eigen::Index bits) const
+{
+  return this->Bits(CarrierWhitening, bits);
+}
+
+std::string SecretKey::Check(const std::string& message, Eigen::Index bits) const
+{
+  std::array<unsigned char, 32> seed = this->Seed(MessageCheck);
+  std::array<unsigned char, 32> hash{};
+  crypto_generichash(hash.data(), hash.size(),
+    reinterpret_cast<const unsigned char*>(message.data()), message.size(), seed.data(),
+    seed.size());
+  sodium_memzero(seed.data(), seed.size());
+  return FirstBits(hash.data(), bits);
 }
 
 void Wipe(std::string& secret)

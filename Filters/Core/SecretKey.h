@@ -19,8 +19,9 @@ namespace spectralwatermark
 ///     seed_p = BLAKE2b-256(master; salt p, personal "SpecWM_1")        crypto_kdf
 ///     stream_p = ChaCha20(seed_p, nonce "LibsodiumDRG")                randombytes_buf_deterministic
 ///
-/// with one stream for each purpose p: 1 positions, 2 keystream, 3 message. A longer stream begins
-/// with the shorter one. The memory of master and seeds is cleared.
+/// with one stream for each purpose p: 1 positions, 2 keystream, 3 message; for the robust scheme 4
+/// wave vectors, 5 dither, 6 whitening. A longer stream begins with the shorter one. A message's
+/// check is BLAKE2b-256(message, key seed_7). The memory of master and seeds is cleared.
 class SecretKey
 {
 public:
@@ -39,7 +40,19 @@ public:
   /// The message of this length that stands for the secret itself.
   std::string Message(Eigen::Index bits) const;
 
+  /// Numbers in [0, 1), uniform, with 53 bits: for wave vectors and for dithers.
+  std::vector<double> WaveNumbers(Eigen::Index count) const;
+  std::vector<double> Dither(Eigen::Index count) const;
+
+  /// Fair coins, 0 or 1, that whiten what the carriers of the robust scheme hold.
+  std::string CarrierKeystream(Eigen::Index bits) const;
+
+  /// Up to 256 bits that only this secret and this message give.
+  std::string Check(const std::string& message, Eigen::Index bits) const;
+
 private:
+  std::array<unsigned char, 32> Seed(std::uint64_t purpose) const;
+  std::vector<double> Uniform(std::uint64_t purpose, Eigen::Index count) const;
   std::vector<unsigned char> Stream(std::uint64_t purpose, std::size_t size) const;
   std::string Bits(std::uint64_t purpose, Eigen::Index bits) const;
 

@@ -1,0 +1,599 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SolidWatermark.h"
+
+#include "Attacks.h"
+#include "Detection.h"
+#include "Errors.h"
+#include "GolayCode.h"
+#include "Parallel.h"
+#include "SlotWatermark.h"
+#include "Solid.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace spectralwatermark
+{
+
+namespace
+{
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double Pi = 3.14159265358979323846;
+
+// A random message passes this many bits of check once in a million.
+constexpr Index LeastCheckBits = 20;
+
+// Wave vectors fill a shell evenly. Under its inner radius the solid itself is large in the
+// transform, and what moves or turns the frame a little changes much; waves nearer to each other
+// than these volumes are too much alike on the surface.
+constexpr double InnerRadius = 3.0;
+constexpr double VolumePerWave = 90.0;
+constexpr Index CandidatesPerWave = 64;
+
+// Undone smoothings: 0, 5, ..., 60 iterations by the benchmark's factor.
+constexpr int SmoothingStride = 5;
+constexpr int NumberOfSmoothings = 13;
+constexpr double SmoothingFactor = 0.1;
+
+// How much undoing may add to the surface. What was smooth gains a little; noise soon grows over
+// everything.
+constexpr double MostArea = 2.0;
+
+// Skewness under which the signs of the axes are tried.
+constexpr double ClearSkewness = 0.05;
+
+constexpr double SmallestStep = 1e-3;
+constexpr double StepRatio = 1.189207115002721; // 2^(1/4)
+
+// Of a carrier, in steps: embedded well enough.
+constexpr double GoodError = 0.005;
+constexpr int MostRounds = 12;
+
+// Parts of the budget that the plan may use: what is measured differs a little.
+constexpr double PlannedPart = 0.97;
+
+// Of the waves' Gram matrix, relative to the largest: less is rounding.
+constexpr double SmallestPivot = 1e-10;
+
+// Rows of the moments that must not move, see FixedMoments().
+constexpr Index Moments = 13;
+
+Index BlocksOf(Index messageBits)
+{
+  return (messageBits + LeastCheckBits + GolayDataBits - 1) / GolayDataBits;
+}
+
+// Best-candidate sampling (Mitchell, 1991): each wave is the candidate farthest from all before, a
+// vector and its opposite being the same wave.
+MatrixXd EvenWaves(const std::vector<double>& numbers, Index count)
+{
+  const double inner = std::pow(InnerRadius, 3);
+  const double shell = VolumePerWave * static_cast<double>(count) * 3.0 / (4.0 * Pi);
+  MatrixXd waves(count, 3);
+  auto number = numbers.begin();
+  for (Index w = 0; w < count; ++w)
+  {
+    double farthest = -1.0;
+    for (Index candidate = 0; candidate < CandidatesPerWave; ++candidate)
+    {
+      const double radius = std::cbrt(inner + shell * *number++);
+      const double height = 2.0 * *number++ - 1.0;
+      const double angle = 2.0 * Pi * *number++;
+      const double around = std::sqrt(1.0 - height * height);
+      const Eigen::RowVector3d wave =
+        radius * Eigen::RowVector3d(around * std::cos(angle), around * std::sin(angle), height);
+      double nearest = 4.0 * wave.squaredNorm(); // its own opposite
+      for (Index other = 0; other < w; ++other)
+      {
+        nearest = std::min({ nearest, (waves.row(other) - wave).squaredNorm(),
+          (waves.row(other) + wave).squaredNorm() });
+      }
+      if (nearest > farthest)
+      {
+        farthest = nearest;
+        waves.row(w) = wave;
+      }
+    }
+  }
+  return waves;
+}
+
+// Values that a carrier with this bit may have are Offset + step * integer.
+VectorXd Offsets(const std::string& code, const Carriers& carriers, double step)
+{
+  VectorXd offsets(carriers.Count());
+  for (Index j = 0; j < carriers.Count(); ++j)
+  {
+    const auto at = static_cast<std::size_t>(j);
+    const bool bit = code[at] != carriers.Whitening[at];
+    offsets[j] = step * ((bit ? 0.5 : 0.0) + carriers.Dither[j]);
+  }
+  return offsets;
+}
+
+VectorXd SoftBits(const VectorXd& values, const Carriers& carriers, double step)
+{
+  VectorXd soft(values.size());
+  for (Index j = 0; j < values.size(); ++j)
+  {
+    const double sign = carriers.Whitening[static_cast<std::size_t>(j)] == '1' ? -1.0 : 1.0;
+    soft[j] = sign * std::cos(2.0 * Pi * (values[j] / step - carriers.Dither[j]));
+  }
+  return soft;
+}
+
+std::string HardBits(const VectorXd& soft)
+{
+  std::string bits;
+  for (const double value : soft)
+  {
+    bits += value < 0.0 ? '1' : '0';
+  }
+  return bits;
+}
+
+// Bit i of block b sits in carrier i * blocks + b, so that what happens to some waves is spread over
+// all blocks.
+std::string Decode(const VectorXd& soft, double& score)
+{
+  const Index blocks = soft.size() / GolayCodeBits;
+  std::string data;
+  score = 0.0;
+  for (Index b = 0; b < blocks; ++b)
+  {
+    std::array<double, GolayCodeBits> word{};
+    for (Index i = 0; i < GolayCodeBits; ++i)
+    {
+      word[static_cast<std::size_t>(i)] = soft[i * blocks + b];
+    }
+    double fit = 0.0;
+    const std::uint32_t bits = GolayDecode(word, fit);
+    score += fit;
+    for (int i = 0; i < GolayDataBits; ++i)
+    {
+      data += (bits >> i & 1U) != 0 ? '1' : '0';
+    }
+  }
+  return data;
+}
+
+// The volume, its centre, and the second and third moments that the frame is made from: a
+// displacement along the normals that is orthogonal to these functions leaves them as they are.
+MatrixXd FixedMoments(const TriangleMesh::PointMatrix& points)
+{
+  MatrixXd rows(points.rows(), Moments);
+  const auto x = points.col(0).array();
+  const auto y = points.col(1).array();
+  const auto z = points.col(2).array();
+  rows.col(0).setOnes();
+  rows.middleCols<3>(1) = points;
+  rows.col(4) = x.square();
+  rows.col(5) = y.square();
+  rows.col(6) = z.square();
+  rows.col(7) = x * y;
+  rows.col(8) = y * z;
+  rows.col(9) = z * x;
+  rows.col(10) = x.cube();
+  rows.col(11) = y.cube();
+  rows.col(12) = z.cube();
+  return rows;
+}
+
+// The solid as the carriers see it.
+struct View
+{
+  View(const TriangleMesh& oriented, const SolidFrame& frame)
+    : Frame(frame)
+    , Mesh(oriented)
+  {
+    this->Mesh.Points = frame.ToFrame(oriented.Points);
+  }
+  explicit View(const TriangleMesh& oriented)
+    : View(oriented, FrameOf(oriented))
+  {
+  }
+
+  SolidFrame Frame;
+  TriangleMesh Mesh; // in the frame
+};
+
+// Displacements along the normals that change the carriers, to first order, by what is asked for and
+// the moments not at all: the smallest ones in mean square over the surface.
+class Response
+{
+public:
+  Response(const View& view, const Carriers& carriers)
+    : Areas(VertexAreas(view.Mesh))
+    , Patterns(view.Mesh.NumberOfVertices(), carriers.Count() + Moments)
+  {
+    const Index waves = carriers.Waves.rows();
+    const MatrixXd phases = view.Mesh.Points * carriers.Waves.transpose();
+    this->Patterns.leftCols(waves) = phases.array().cos();
+    this->Patterns.middleCols(waves, waves) = phases.array().sin();
+    this->Patterns.rightCols<Moments>() = FixedMoments(view.Mesh.Points);
+    const MatrixXd gram = this->Patterns.transpose() * this->Areas.asDiagonal() * this->Patterns;
+    const Eigen::LDLT<MatrixXd> factors(gram);
+    const VectorXd pivots = factors.vectorD();
+    if (!(pivots.minCoeff() > SmallestPivot * pivots.maxCoeff()))
+    {
+      throw InvalidInput("the mesh is too small or too simple for so many bits: " +
+        std::to_string(carriers.Count()) + " waves cannot be told apart on it. Embed fewer bits");
+    }
+    this->Inverse = factors.solve(MatrixXd::Identity(gram.rows(), gram.cols()));
+    this->Inverse = (0.5 * (this->Inverse + this->Inverse.transpose())).eval();
+  }
+
+  VectorXd Displacements(const VectorXd& changes) const
+  {
+    return this->Patterns * (this->Inverse.leftCols(changes.size()) * changes);
+  }
+
+  // Of the carriers' changes: the square of the displacements' root mean square is r^T Cost r.
+  MatrixXd Cost(Index carriers) const
+  {
+    return this->Inverse.topLeftCorner(carriers, carriers) / this->Areas.sum();
+  }
+
+private:
+  VectorXd Areas;
+  MatrixXd Patterns; // a column for each carrier and moment
+  MatrixXd Inverse;  // of their Gram matrix
+};
+
+// Other points of the lattice than the nearest may cost less together: one step at a time, as long
+// as that helps. `changes` are the carriers' changes.
+void CheapenChanges(const MatrixXd& cost, double step, VectorXd& changes)
+{
+  constexpr int most = 2000;
+  VectorXd gradient = cost * changes;
+  for (int move = 0; move < most; ++move)
+  {
+    Index carrier = -1;
+    double direction = 0.0;
+    double gain = -1e-9 * changes.dot(gradient);
+    for (Index j = 0; j < changes.size(); ++j)
+    {
+      const double sign = gradient[j] > 0.0 ? -1.0 : 1.0;
+      const double change = 2.0 * sign * step * gradient[j] + step * step * cost(j, j);
+      if (change < gain)
+      {
+        gain = change;
+        carrier = j;
+        direction = sign;
+      }
+    }
+    if (carrier < 0)
+    {
+      return;
+    }
+    changes[carrier] += direction * step;
+    gradient += direction * step * cost.col(carrier);
+  }
+}
+
+// What it takes to embed with some step.
+struct Plan
+{
+  int Step = -1;
+  VectorXd Targets;
+  double Distortion = 0.0; // root mean square, in the frame's scale
+};
+
+Plan PlanWithStep(int number, const VectorXd& values, const std::string& code,
+  const Carriers& carriers, const MatrixXd& cost)
+{
+  const double step = StepOfNumber(number);
+  const VectorXd offsets = Offsets(code, carriers, step);
+  VectorXd changes = offsets + step * ((values - offsets) / step).array().round().matrix() - values;
+  CheapenChanges(cost, step, changes);
+  return { number, values + changes, std::sqrt(std::max(0.0, changes.dot(cost * changes))) };
+}
+
+double Diagonal(const TriangleMesh& mesh)
+{
+  return (mesh.Points.colwise().maxCoeff() - mesh.Points.colwise().minCoeff()).norm();
+}
+
+double RootMeanSquare(const TriangleMesh& mesh, const TriangleMesh::PointMatrix& moved)
+{
+  const VectorXd areas = VertexAreas(mesh);
+  return std::sqrt(areas.dot((moved - mesh.Points).rowwise().squaredNorm()) / areas.sum());
+}
+
+TriangleMesh::PointMatrix Stored(const TriangleMesh::PointMatrix& points, bool asFloat)
+{
+  return asFloat ? TriangleMesh::PointMatrix(points.cast<float>().cast<double>()) : points;
+}
+
+// Moves the points until the carriers are at their targets.
+class Embedding
+{
+public:
+  Embedding(const TriangleMesh& oriented, const Carriers& carriers, int threads)
+    : Original(oriented)
+    , Carrier(carriers)
+    , Threads(threads)
+    , Diagonal(spectralwatermark::Diagonal(oriented))
+  {
+  }
+
+  VectorXd Values(const TriangleMesh& mesh) const
+  {
+    return SolidSpectrum(View(mesh).Mesh, this->Carrier.Waves, this->Threads);
+  }
+
+  SolidEmbeddingResult Run(const Plan& plan, const SolidEmbeddingOptions& options,
+    const Progress& progress) const;
+
+private:
+  const TriangleMesh& Original;
+  const Carriers& Carrier;
+  int Threads;
+  double Diagonal;
+};
+
+SolidEmbeddingResult Embedding::Run(const Plan& plan, const SolidEmbeddingOptions& options,
+  const Progress& progress) const
+{
+  SolidEmbeddingResult result;
+  result.Step = StepOfNumber(plan.Step);
+  TriangleMesh mesh = this->Original;
+  double lastError = std::numeric_limits<double>::infinity();
+  for (int round = 0; round <= MostRounds; ++round)
+  {
+    const View view(mesh);
+    const VectorXd changes =
+      plan.Targets - SolidSpectrum(view.Mesh, this->Carrier.Waves, this->Threads);
+    const double error = changes.cwiseAbs().maxCoeff() / result.Step;
+    result.Rounds.push_back(
+      { RootMeanSquare(this->Original, mesh.Points) / this->Diagonal, error });
+    progress.Report(static_cast<double>(round + 1) / (MostRounds + 1));
+    const bool diverges = !(error <= lastError);
+    if (error < GoodError || diverges || round == MostRounds)
+    {
+      break;
+    }
+    lastError = error;
+    const VectorXd heights = Response(view, this->Carrier).Displacements(changes);
+    mesh.Points += view.Frame.DifferencesFromFrame(heights.asDiagonal() * VertexNormals(view.Mesh));
+  }
+  result.Points = Stored(mesh.Points, options.RoundToFloat);
+  mesh.Points = result.Points;
+  result.Distortion = RootMeanSquare(this->Original, result.Points) / this->Diagonal;
+  const double worst = (this->Values(mesh) - plan.Targets).cwiseAbs().maxCoeff() / result.Step;
+  result.Margin = std::max(0.0, 1.0 - 4.0 * worst);
+  return result;
+}
+
+// The largest step that the budget allows; below `under` if a larger one has been tried.
+Plan LargestAffordable(const VectorXd& values, const std::string& code, const Carriers& carriers,
+  const MatrixXd& cost, double budget, int under)
+{
+  Plan plan;
+  for (int number = under - 1; number >= 0; --number)
+  {
+    plan = PlanWithStep(number, values, code, carriers, cost);
+    if (plan.Distortion <= budget)
+    {
+      return plan;
+    }
+  }
+  plan.Step = -1;
+  return plan;
+}
+
+std::string Percent(double part)
+{
+  std::ostringstream text;
+  text << std::setprecision(3) << 100.0 * part << " %";
+  return text.str();
+}
+
+// Whether the reading fits better than the best so far.
+struct Judge
+{
+  const Carriers& Carrier;
+  std::string ExpectedCode; // empty: none
+
+  double Score(const SolidReading& reading) const
+  {
+    double score = 0.0;
+    if (this->ExpectedCode.empty())
+    {
+      Decode(reading.Soft, score);
+      return score;
+    }
+    for (Index j = 0; j < this->Carrier.Count(); ++j)
+    {
+      const auto at = static_cast<std::size_t>(j);
+      score += reading.Code[at] == this->ExpectedCode[at] ? 1.0 : 0.0;
+    }
+    return score;
+  }
+};
+
+// The best of all steps, for values that were measured in one way.
+SolidReading BestStep(const VectorXd& values, const Judge& judge, int threads, double& best)
+{
+  std::array<SolidReading, NumberOfSteps> readings;
+  std::array<double, NumberOfSteps> scores{};
+  ForEachTask(threads, NumberOfSteps,
+    [&](Index number)
+    {
+      const auto at = static_cast<std::size_t>(number);
+      SolidReading& reading = readings[at];
+      reading.Hypothesis.Step = static_cast<int>(number);
+      reading.Soft = SoftBits(values, judge.Carrier, StepOfNumber(static_cast<int>(number)));
+      reading.Code = HardBits(reading.Soft);
+      scores[at] = judge.Score(reading);
+    });
+  const auto at = std::max_element(scores.begin(), scores.end()) - scores.begin();
+  best = scores[static_cast<std::size_t>(at)];
+  SolidReading reading = readings[static_cast<std::size_t>(at)];
+  reading.Values = values;
+  return reading;
+}
+
+} // namespace
+
+double StepOfNumber(int number)
+{
+  return SmallestStep * std::pow(StepRatio, number);
+}
+
+Index NumberOfHypotheses()
+{
+  return static_cast<Index>(NumberOfSmoothings) * NumberOfTurns * NumberOfSteps;
+}
+
+Carriers CarriersOf(const SecretKey& key, Index messageBits)
+{
+  if (messageBits < 1 || messageBits > LargestMessage)
+  {
+    throw InvalidInput("the robust scheme takes messages of 1 to " +
+      std::to_string(LargestMessage) + " bits, not " + std::to_string(messageBits));
+  }
+  const Index blocks = BlocksOf(messageBits);
+  const Index count = GolayCodeBits * blocks;
+  Carriers carriers;
+  carriers.MessageBits = messageBits;
+  carriers.CheckBits = GolayDataBits * blocks - messageBits;
+  carriers.Waves = EvenWaves(key.WaveNumbers(3 * CandidatesPerWave * count / 2), count / 2);
+  const std::vector<double> dither = key.Dither(count);
+  carriers.Dither = Eigen::Map<const VectorXd>(dither.data(), count);
+  carriers.Whitening = key.CarrierKeystream(count);
+  return carriers;
+}
+
+std::string Encode(const std::string& message, const SecretKey& key, const Carriers& carriers)
+{
+  const std::string data = message + key.Check(message, carriers.CheckBits);
+  const Index blocks = carriers.Count() / GolayCodeBits;
+  std::string code(static_cast<std::size_t>(carriers.Count()), '0');
+  for (Index b = 0; b < blocks; ++b)
+  {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < GolayDataBits; ++i)
+    {
+      bits |= (data[static_cast<std::size_t>(GolayDataBits * b + i)] == '1' ? 1U : 0U) << i;
+    }
+    const std::uint32_t word = GolayEncode(bits);
+    for (int i = 0; i < GolayCodeBits; ++i)
+    {
+      code[static_cast<std::size_t>(i * blocks + b)] = (word >> i & 1U) != 0 ? '1' : '0';
+    }
+  }
+  return code;
+}
+
+SolidEmbeddingResult EmbedInSolid(const TriangleMesh& mesh, const SecretKey& key,
+  const SolidEmbeddingOptions& options, const Progress& progress)
+{
+  CheckMessage(options.Message);
+  const auto bits = static_cast<Index>(options.Message.size());
+  const Carriers carriers = CarriersOf(key, bits);
+  const std::string code = Encode(options.Message, key, carriers);
+  const TriangleMesh oriented = Oriented(mesh);
+  const Embedding embedding(oriented, carriers, options.Threads);
+  const View view(oriented);
+  const VectorXd values = embedding.Values(oriented);
+  const MatrixXd cost = Response(view, carriers).Cost(carriers.Count());
+  progress.Report(0.1);
+
+  const double scale = view.Frame.Scale / Diagonal(oriented);
+  SolidEmbeddingResult result;
+  int under = NumberOfSteps;
+  for (int attempt = 0; attempt < 3; ++attempt)
+  {
+    const Plan plan = LargestAffordable(values, code, carriers, cost,
+      PlannedPart * options.MaximumDistortion / scale, under);
+    if (plan.Step < 0)
+    {
+      throw InvalidInput(std::to_string(bits) + " bits would move the surface by " +
+        Percent(plan.Distortion * scale) + " of its diagonal, more than MaximumDistortion, " +
+        Percent(options.MaximumDistortion) + ": embed fewer bits, or raise it");
+    }
+    result =
+      embedding.Run(plan, options, progress.Part(0.1 + 0.15 * attempt, 0.25 + 0.15 * attempt));
+    if (result.Distortion <= options.MaximumDistortion)
+    {
+      break;
+    }
+    under = plan.Step;
+  }
+  TriangleMesh marked = mesh;
+  marked.Points = result.Points;
+  const SolidReading reading =
+    ReadSolid(marked, key, bits, "", options.Threads, progress.Part(0.55, 1.0));
+  result.ExtractedMessage = reading.Message;
+  result.Converged = reading.IsValid && reading.Message == options.Message &&
+    result.Distortion <= options.MaximumDistortion;
+  return result;
+}
+
+SolidReading ReadSolid(const TriangleMesh& mesh, const SecretKey& key, Index messageBits,
+  const std::string& expected, int threads, const Progress& progress)
+{
+  const Carriers carriers = CarriersOf(key, messageBits);
+  const Judge judge{ carriers, expected.empty() ? "" : Encode(expected, key, carriers) };
+  TriangleMesh sharper = Oriented(mesh);
+  const UmbrellaSmoothing smoothing(sharper);
+  const double area = VertexAreas(sharper).sum();
+  const SolidFrame first = FrameOf(sharper);
+  const int turns = first.Clearness < ClearSkewness ? NumberOfTurns : 1;
+  SolidReading best;
+  double bestScore = -std::numeric_limits<double>::infinity();
+  for (int level = 0; level < NumberOfSmoothings; ++level)
+  {
+    for (int k = 0; level > 0 && k < SmoothingStride; ++k)
+    {
+      sharper.Points = smoothing.Apply(sharper.Points, -SmoothingFactor);
+    }
+    if (!(VertexAreas(sharper).sum() < MostArea * area))
+    {
+      break; // noise has grown over everything
+    }
+    const SolidFrame frame = FrameOf(sharper);
+    for (int turn = 0; turn < turns; ++turn)
+    {
+      const View view(sharper, Turned(frame, turn));
+      double score = 0.0;
+      SolidReading reading =
+        BestStep(SolidSpectrum(view.Mesh, carriers.Waves, threads), judge, threads, score);
+      if (score > bestScore)
+      {
+        bestScore = score;
+        best = std::move(reading);
+        best.Hypothesis.Smoothing = level * SmoothingStride;
+        best.Hypothesis.Turn = turn;
+      }
+      progress.Report(static_cast<double>(level * turns + turn + 1) / (NumberOfSmoothings * turns));
+    }
+  }
+  double score = 0.0;
+  const std::string data = Decode(best.Soft, score);
+  best.Message = data.substr(0, static_cast<std::size_t>(messageBits));
+  best.IsValid = data.substr(static_cast<std::size_t>(messageBits)) ==
+    key.Check(best.Message, carriers.CheckBits);
+  if (!expected.empty())
+  {
+    best.Agreements = CountAgreements(best.Code, judge.ExpectedCode);
+    best.PValue = std::min(1.0,
+      static_cast<double>(NumberOfHypotheses()) *
+        AgreementPValue(best.Code, judge.ExpectedCode, UnmarkedModel()));
+  }
+  progress.Report(1.0);
+  return best;
+}
+
+} // namespace spectralwatermark

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The solid's Fourier transform and frame, and the code, against what is known of them.
+#include "Core/Attacks.h"
+#include "Core/Errors.h"
+#include "Core/GolayCode.h"
+#include "Core/Noise.h"
+#include "Core/Solid.h"
+#include "Support/Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <vector>
+
+using namespace spectralwatermark;
+
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+
+// Centred, with these sides: twelve triangles.
+TriangleMesh Box(double a, double b, double c)
+{
+  TriangleMesh box;
+  box.Points.resize(8, 3);
+  box.Points << 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1;
+  box.Points = (box.Points.array() - 0.5).matrix() * Eigen::Vector3d(a, b, c).asDiagonal();
+  box.Triangles.resize(12, 3);
+  box.Triangles << 0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2,
+    2, 4, 6, 1, 3, 5, 3, 7, 5;
+  return box;
+}
+
+double Sinc(double x)
+{
+  return x == 0.0 ? 1.0 : std::sin(x) / x;
+}
+
+Eigen::MatrixXd SomeWaves(Index count, double length)
+{
+  Eigen::MatrixXd waves(count, 3);
+  for (Index k = 0; k < waves.size(); ++k)
+  {
+    waves.data()[k] = NormalRandom(11, static_cast<std::uint64_t>(k));
+  }
+  return length * waves.rowwise().normalized();
+}
+
+TriangleMesh Moved(TriangleMesh mesh, const SimilarityTransform& t)
+{
+  mesh.Points =
+    (t.Scale * mesh.Points * t.Rotation.transpose()).rowwise() + t.Translation.transpose();
+  return mesh;
+}
+
+// Every third triangle the other way round.
+TriangleMesh Disoriented(TriangleMesh mesh)
+{
+  for (Index t = 0; t < mesh.NumberOfTriangles(); t += 3)
+  {
+    std::swap(mesh.Triangles(t, 0), mesh.Triangles(t, 1));
+  }
+  return mesh;
+}
+
+int WeightOf(std::uint32_t word)
+{
+  int weight = 0;
+  for (; word != 0; word &= word - 1)
+  {
+    ++weight;
+  }
+  return weight;
+}
+
+} // namespace
+
+// A box is a product: its transform is that of three intervals. Its triangles are far larger than
+// the waves.
+TEST(Solid, TheTransformOfABoxIsAProductOfSincs)
+{
+  const TriangleMesh box = Box(2.0, 1.0, 0.5);
+  Eigen::MatrixXd waves = SomeWaves(20, 15.0);
+  waves.row(0) << 7.0, 0.0, 0.0;
+  waves.row(1) << 0.0, 2.0 * Pi, 0.0; // a whole wave: 0
+  const Eigen::VectorXd spectrum = SolidSpectrum(box, waves, 2);
+  for (Index w = 0; w < waves.rows(); ++w)
+  {
+    const double expected = Sinc(waves(w, 0)) * Sinc(0.5 * waves(w, 1)) * Sinc(0.25 * waves(w, 2));
+    EXPECT_NEAR(spectrum[w], expected, 1e-6);
+    EXPECT_NEAR(spectrum[waves.rows() + w], 0.0, 1e-6); // even
+  }
+  EXPECT_EQ(spectrum, SolidSpectrum(box, waves, 1));
+}
+
+TEST(Solid, TheTransformOfASphereIsKnown)
+{
+  const TriangleMesh sphere = shapes::Icosphere(5);
+  for (const double k : { 1.0, 5.0, 12.0 })
+  {
+    const double expected = 4.0 * Pi * (std::sin(k) - k * std::cos(k)) / (k * k * k);
+    const Eigen::VectorXd spectrum = SolidSpectrum(sphere, SomeWaves(3, k), 2);
+    EXPECT_LT((spectrum.head(3).array() - expected).abs().maxCoeff(), 0.005);
+    EXPECT_LT(spectrum.tail(3).cwiseAbs().maxCoeff(), 1e-9);
+  }
+}
+
+TEST(Solid, AFrameGoesWithItsSolid)
+{
+  const TriangleMesh mesh = shapes::Bumpy(4);
+  const TriangleMesh::PointMatrix inFrame = FrameOf(mesh).ToFrame(mesh.Points);
+  for (int seed = 0; seed < 20; ++seed)
+  {
+    const TriangleMesh moved =
+      Moved(mesh, RandomSimilarity(mesh, static_cast<std::uint64_t>(seed)));
+    const SolidFrame frame = FrameOf(moved);
+    EXPECT_LT((frame.ToFrame(moved.Points) - inFrame).cwiseAbs().maxCoeff(), 1e-9);
+    const TriangleMesh::PointMatrix changes = TriangleMesh::PointMatrix::Random(5, 3);
+    TriangleMesh::PointMatrix shifted = moved.Points.topRows(5);
+    shifted += frame.DifferencesFromFrame(changes);
+    EXPECT_LT((frame.ToFrame(shifted) - inFrame.topRows(5) - changes).norm(), 1e-9);
+  }
+}
+
+TEST(Solid, AFrameIsWhatItsMomentsSay)
+{
+  // Of a box with sides a > b > c: variances a^2 / 12 and so on, and no skewness.
+  TriangleMesh box = Box(3.0, 2.0, 1.0);
+  box.Points.rowwise() += Eigen::RowVector3d(1e4, -5.0, 7.0);
+  const SolidFrame frame = FrameOf(box);
+  EXPECT_LT((frame.Origin - Eigen::RowVector3d(1e4, -5.0, 7.0)).norm(), 1e-8);
+  EXPECT_NEAR(frame.Scale, std::sqrt(14.0 / 12.0), 1e-10);
+  EXPECT_LT((frame.Axes.cwiseAbs() - Eigen::Matrix3d::Identity()).norm(), 1e-9);
+  EXPECT_LT(frame.Clearness, 1e-6);
+  EXPECT_GT(FrameOf(shapes::Bumpy(4)).Clearness, 1e-3);
+}
+
+TEST(Solid, TurnsAreHalfTurns)
+{
+  const SolidFrame frame = FrameOf(shapes::Bumpy(3));
+  EXPECT_EQ(Turned(frame, 0).Axes, frame.Axes);
+  for (int turn = 1; turn < NumberOfTurns; ++turn)
+  {
+    const Eigen::Matrix3d rotation = Turned(frame, turn).Axes * frame.Axes.transpose();
+    EXPECT_NEAR(rotation(turn - 1, turn - 1), 1.0, 1e-12);
+    EXPECT_NEAR(rotation.trace(), -1.0, 1e-12);
+  }
+}
+
+TEST(Solid, OrientationsAreMended)
+{
+  const TriangleMesh one = shapes::Bumpy(2);
+  const TriangleMesh two = shapes::Union({ one, one }, 5.0);
+  const Eigen::MatrixXd waves = SomeWaves(5, 4.0);
+  const Eigen::VectorXd expected = SolidSpectrum(two, waves, 1);
+  EXPECT_LT((SolidSpectrum(Oriented(Disoriented(two)), waves, 1) - expected).norm(),
+    1e-9 * expected.norm());
+  TriangleMesh inverted = two;
+  inverted.Triangles.col(0).swap(inverted.Triangles.col(1));
+  EXPECT_LT((SolidSpectrum(Oriented(inverted), waves, 1) - expected).norm(),
+    1e-9 * expected.norm());
+}
+
+TEST(Solid, ASheetIsNone)
+{
+  EXPECT_THROW(FrameOf(shapes::Rectangle(4, 4, 1.0, 1.0)), InvalidInput);
+}
+
+TEST(Solid, VertexAreasAddUp)
+{
+  const TriangleMesh box = Box(2.0, 1.0, 0.5);
+  EXPECT_NEAR(VertexAreas(box).sum(), 2.0 * (2.0 + 1.0 + 0.5), 1e-12);
+}
+
+// The weights of its words identify the extended Golay code.
+TEST(GolayCode, HasTheWeightsOfTheGolayCode)
+{
+  std::map<int, int> weights;
+  for (std::uint32_t data = 0; data < 4096; ++data)
+  {
+    EXPECT_EQ(GolayEncode(data) & 0xfffU, data);
+    ++weights[WeightOf(GolayEncode(data))];
+  }
+  const std::map<int, int> expected = { { 0, 1 }, { 8, 759 }, { 12, 2576 }, { 16, 759 },
+    { 24, 1 } };
+  EXPECT_EQ(weights, expected);
+}
+
+TEST(GolayCode, MendsThreeWrongBitsAndMoreWhenTheyAreWeak)
+{
+  for (const std::uint32_t data : { 0U, 1U, 0xabcU, 0xfffU })
+  {
+    std::array<double, GolayCodeBits> right{};
+    for (std::size_t bit = 0; bit < right.size(); ++bit)
+    {
+      right[bit] = (GolayEncode(data) >> bit & 1U) != 0 ? -1.0 : 1.0;
+    }
+    double score = 0.0;
+    EXPECT_EQ(GolayDecode(right, score), data);
+    EXPECT_NEAR(score, 24.0, 1e-12);
+    for (std::size_t a = 0; a < right.size(); ++a)
+    {
+      for (std::size_t b = 0; b < a; ++b)
+      {
+        for (std::size_t c = 0; c < b; ++c)
+        {
+          std::array<double, GolayCodeBits> wrong = right;
+          wrong[a] *= -1.0;
+          wrong[b] *= -1.0;
+          wrong[c] *= -1.0;
+          ASSERT_EQ(GolayDecode(wrong, score), data);
+        }
+      }
+    }
+    std::array<double, GolayCodeBits> weak = right;
+    for (std::size_t bit = 0; bit < 6; ++bit) // six wrong, but weakly
+    {
+      weak[bit] *= -0.1;
+    }
+    EXPECT_EQ(GolayDecode(weak, score), data);
+  }
+}

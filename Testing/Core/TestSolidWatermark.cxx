@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Attacks.h"
+#include "Core/Errors.h"
+#include "Core/Solid.h"
+#include "Core/SolidWatermark.h"
+#include "Support/Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace spectralwatermark;
+
+namespace
+{
+
+const std::string Message = "1011001110001011";
+
+// A solid without symmetry and with three different axes.
+TriangleMesh Host(int level)
+{
+  TriangleMesh mesh = shapes::Bumpy(level);
+  mesh.Points *= Eigen::Vector3d(1.5, 1.0, 0.7).asDiagonal();
+  return mesh;
+}
+
+SolidEmbeddingResult Marked(const TriangleMesh& mesh, const SecretKey& key,
+  const std::string& message = Message, double distortion = 0.0007)
+{
+  SolidEmbeddingOptions options;
+  options.Message = message;
+  options.MaximumDistortion = distortion;
+  options.Threads = 2;
+  return EmbedInSolid(mesh, key, options, Progress());
+}
+
+TriangleMesh With(TriangleMesh mesh, const TriangleMesh::PointMatrix& points)
+{
+  mesh.Points = points;
+  return mesh;
+}
+
+} // namespace
+
+TEST(SolidWatermark, CarriersAreEvenlySpreadAndHangOnTheKey)
+{
+  const SecretKey key("one");
+  const Carriers carriers = CarriersOf(key, 64);
+  EXPECT_EQ(carriers.Count(), 168); // 7 words of the code
+  EXPECT_EQ(carriers.CheckBits, 20);
+  EXPECT_EQ(carriers.Waves.rows(), 84);
+  double nearest = 1e9;
+  for (Index a = 0; a < carriers.Waves.rows(); ++a)
+  {
+    EXPECT_GT(carriers.Waves.row(a).norm(), 2.99);
+    for (Index b = 0; b < a; ++b)
+    {
+      nearest = std::min({ nearest, (carriers.Waves.row(a) - carriers.Waves.row(b)).norm(),
+        (carriers.Waves.row(a) + carriers.Waves.row(b)).norm() });
+    }
+  }
+  EXPECT_GT(nearest, 2.0);
+  EXPECT_GE(carriers.Dither.minCoeff(), 0.0);
+  EXPECT_LT(carriers.Dither.maxCoeff(), 1.0);
+  EXPECT_EQ(CarriersOf(SecretKey("one"), 64).Waves, carriers.Waves);
+  EXPECT_NE(CarriersOf(SecretKey("two"), 64).Waves, carriers.Waves);
+  EXPECT_NE(CarriersOf(SecretKey("two"), 64).Dither, carriers.Dither);
+  EXPECT_NE(CarriersOf(SecretKey("two"), 64).Whitening, carriers.Whitening);
+  EXPECT_THROW(CarriersOf(key, 0), InvalidInput);
+  EXPECT_THROW(CarriersOf(key, LargestMessage + 1), InvalidInput);
+  EXPECT_EQ(CarriersOf(key, LargestMessage).Count(), 24 * 87);
+}
+
+TEST(SolidWatermark, EmbedsWithinItsBudgetAndReadsBackBlind)
+{
+  const SecretKey key("secret");
+  const TriangleMesh mesh = Host(4);
+  const SolidEmbeddingResult result = Marked(mesh, key);
+  EXPECT_TRUE(result.Converged);
+  EXPECT_EQ(result.ExtractedMessage, Message);
+  EXPECT_LE(result.Distortion, 0.0007);
+  EXPECT_GT(result.Distortion, 0.0003); // it is spent
+  EXPECT_GT(result.Margin, 0.9);
+  EXPECT_LT(result.Rounds.back().LargestError, 0.01);
+
+  // By a second construction: the areas' mean of the squared displacement.
+  const Eigen::VectorXd areas = VertexAreas(mesh);
+  const double square =
+    areas.dot((result.Points - mesh.Points).rowwise().squaredNorm()) / areas.sum();
+  const double diagonal =
+    (mesh.Points.colwise().maxCoeff() - mesh.Points.colwise().minCoeff()).norm();
+  EXPECT_NEAR(std::sqrt(square) / diagonal, result.Distortion, 1e-12);
+
+  const SolidReading reading =
+    ReadSolid(With(mesh, result.Points), key, 16, Message, 2, Progress());
+  EXPECT_TRUE(reading.IsValid);
+  EXPECT_EQ(reading.Message, Message);
+  EXPECT_EQ(reading.Agreements, reading.Soft.size());
+  EXPECT_NEAR(reading.PValue,
+    static_cast<double>(NumberOfHypotheses()) * std::pow(0.5, reading.Soft.size()),
+    1e-3 * reading.PValue);
+  EXPECT_EQ(reading.Hypothesis.Smoothing, 0);
+}
+
+TEST(SolidWatermark, OnlyItsKeyReadsIt)
+{
+  const SecretKey key("secret");
+  const TriangleMesh mesh = Host(4);
+  const TriangleMesh marked = With(mesh, Marked(mesh, key).Points);
+  for (const char* other : { "Secret", "secret ", "x" })
+  {
+    const SolidReading reading = ReadSolid(marked, SecretKey(other), 16, Message, 2, Progress());
+    EXPECT_FALSE(reading.IsValid);
+    EXPECT_GT(reading.PValue, 1e-3);
+  }
+  EXPECT_FALSE(ReadSolid(mesh, key, 16, "", 2, Progress()).IsValid);
+  EXPECT_GT(ReadSolid(mesh, key, 16, Message, 2, Progress()).PValue, 1e-3);
+}
+
+TEST(SolidWatermark, SurvivesWhatLeavesTheSolid)
+{
+  const SecretKey key("secret");
+  const TriangleMesh mesh = Host(4);
+  const TriangleMesh marked = With(mesh, Marked(mesh, key).Points);
+  const auto expectRead = [&](const char* what, const TriangleMesh& attacked)
+  {
+    const SolidReading reading = ReadSolid(attacked, key, 16, "", 2, Progress());
+    EXPECT_TRUE(reading.IsValid) << what;
+    EXPECT_EQ(reading.Message, Message) << what;
+  };
+  for (int seed = 0; seed < 3; ++seed)
+  {
+    const SimilarityTransform t = RandomSimilarity(marked, static_cast<std::uint64_t>(seed));
+    expectRead("similarity",
+      With(marked,
+        (t.Scale * marked.Points * t.Rotation.transpose()).rowwise() + t.Translation.transpose()));
+  }
+  expectRead("noise", With(marked, NoiseUniform(marked, 0.003, 1)));
+  expectRead("quantization", With(marked, Quantize(marked, 9)));
+  TriangleMesh inverted = marked;
+  inverted.Triangles.col(0).swap(inverted.Triangles.col(1));
+  expectRead("inversion", inverted);
+}
+
+// What the benchmark's smoothing takes away comes back when it is undone.
+TEST(SolidWatermark, UndoesSmoothing)
+{
+  const SecretKey key("secret");
+  const TriangleMesh mesh = Host(4);
+  const TriangleMesh marked = With(mesh, Marked(mesh, key).Points);
+  for (const int iterations : { 10, 30 })
+  {
+    const SolidReading reading =
+      ReadSolid(With(marked, LaplacianSmoothing(marked, 0.1, iterations, Progress())), key, 16, "",
+        2, Progress());
+    EXPECT_TRUE(reading.IsValid);
+    EXPECT_EQ(reading.Message, Message);
+    EXPECT_NEAR(reading.Hypothesis.Smoothing, iterations, 5);
+  }
+}
+
+TEST(SolidWatermark, RefusesWhatDoesNotFit)
+{
+  const auto refusal = [](const TriangleMesh& mesh, std::size_t bits, double distortion)
+  {
+    try
+    {
+      Marked(mesh, SecretKey("secret"), std::string(bits, '1'), distortion);
+    }
+    catch (const InvalidInput& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string("not refused");
+  };
+  const std::string budget = refusal(Host(3), 64, 1e-7);
+  EXPECT_NE(budget.find("64 bits would move the surface by"), std::string::npos) << budget;
+  EXPECT_NE(budget.find("MaximumDistortion, 1e-05 %"), std::string::npos) << budget;
+  const std::string capacity = refusal(Host(3), 400, 0.0007); // 840 carriers, 642 vertices
+  EXPECT_NE(capacity.find("too small or too simple for so many bits"), std::string::npos)
+    << capacity;
+}
+
+// For a mesh without the mark every bit is a fair coin of the key: at one step, with one frame, the
+// agreements of many keys are binomial.
+TEST(SolidWatermark, BitsOfUnmarkedMeshesAreFairCoins)
+{
+  constexpr int keys = 400;
+  const TriangleMesh mesh = Host(2);
+  TriangleMesh inFrame = mesh;
+  inFrame.Points = FrameOf(mesh).ToFrame(mesh.Points);
+  double agreements = 0.0;
+  double squares = 0.0;
+  double count = 0.0;
+  for (int k = 0; k < keys; ++k)
+  {
+    const SecretKey key("key " + std::to_string(k));
+    const Carriers carriers = CarriersOf(key, 4); // 48 carriers
+    const std::string code = Encode("1010", key, carriers);
+    const Eigen::VectorXd values = SolidSpectrum(inFrame, carriers.Waves, 1);
+    count = static_cast<double>(carriers.Count());
+    double agree = 0.0;
+    for (Index j = 0; j < carriers.Count(); ++j)
+    {
+      const auto at = static_cast<std::size_t>(j);
+      // Nearest to a point of the lattice for 0 or of the one for 1?
+      const double place = values[j] / StepOfNumber(12) - carriers.Dither[j];
+      const bool one = std::abs(place - std::round(place)) > 0.25;
+      agree += (one != (carriers.Whitening[at] == '1')) == (code[at] == '1') ? 1.0 : 0.0;
+    }
+    agreements += agree / keys;
+    squares += agree * agree / keys;
+  }
+  EXPECT_NEAR(agreements, 0.5 * count, 5.0 * std::sqrt(0.25 * count / keys));
+  const double variance = squares - agreements * agreements;
+  EXPECT_NEAR(variance, 0.25 * count, 5.0 * 0.25 * count * std::sqrt(2.0 / keys));
+}
+
+// P(p <= alpha) <= alpha, counting everything that a reading tries.
+TEST(SolidWatermark, PValuesOfUnmarkedMeshesKeepTheirPromise)
+{
+  constexpr int trials = 100;
+  const TriangleMesh mesh = Host(1);
+  int below = 0;
+  for (int k = 0; k < trials; ++k)
+  {
+    const SecretKey key("trial " + std::to_string(k));
+    below += ReadSolid(mesh, key, 4, "0110", 1, Progress()).PValue <= 0.1 ? 1 : 0;
+  }
+  EXPECT_LE(below, 0.1 * trials + 4.0 * std::sqrt(0.09 * trials));
+}
+
+TEST(SolidWatermark, IsTheSameForAnyNumberOfThreads)
+{
+  const SecretKey key("secret");
+  const TriangleMesh mesh = Host(3);
+  SolidEmbeddingOptions options;
+  options.Message = Message;
+  options.Threads = 1;
+  const SolidEmbeddingResult alone = EmbedInSolid(mesh, key, options, Progress());
+  options.Threads = 3;
+  EXPECT_EQ(EmbedInSolid(mesh, key, options, Progress()).Points, alone.Points);
+}
+
+TEST(SolidWatermark, ProgressRisesAndAbortStops)
+{
+  const TriangleMesh mesh = Host(2);
+  const SecretKey key("secret");
+  SolidEmbeddingOptions options;
+  options.Message = "10110";
+  double last = 0.0;
+  EmbedInSolid(mesh, key, options,
+    Progress(
+      [&last](double fraction)
+      {
+        EXPECT_GE(fraction, last);
+        last = fraction;
+        return true;
+      }));
+  EXPECT_EQ(last, 1.0);
+  EXPECT_THROW(EmbedInSolid(mesh, key, options, Progress([](double f) { return f < 0.6; })),
+    Aborted);
+}

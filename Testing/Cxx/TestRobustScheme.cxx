@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The scheme Robust as a user of the filters meets it.
+#include "Support/FilterTesting.h"
+
+#include <vtkDataArray.h>
+#include <vtkMeshAttack.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSpectralWatermarkDetect.h>
+#include <vtkSpectralWatermarkEmbed.h>
+#include <vtkTable.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <sstream>
+
+using namespace filtertesting;
+
+namespace
+{
+
+// A solid with three different axes and no symmetry.
+vtkSmartPointer<vtkPolyData> Host(int level, bool storesFloat = false)
+{
+  shapes::TriangleMesh mesh = shapes::Bumpy(level);
+  mesh.Points *= Eigen::Vector3d(1.5, 1.0, 0.7).asDiagonal();
+  return PolyData(mesh, storesFloat);
+}
+
+vtkSmartPointer<vtkSpectralWatermarkEmbed> EmbedIn(vtkPolyData* mesh, const char* secret)
+{
+  auto embed = vtkSmartPointer<vtkSpectralWatermarkEmbed>::New();
+  embed->SetInputData(mesh);
+  embed->SetSchemeToRobust();
+  embed->SetSecretKey(secret);
+  return embed;
+}
+
+// Whose mark is it? Asks without knowing the message.
+vtkSmartPointer<vtkSpectralWatermarkDetect> DetectIn(vtkPolyData* mesh, const char* secret)
+{
+  auto detect = vtkSmartPointer<vtkSpectralWatermarkDetect>::New();
+  detect->SetInputData(mesh);
+  detect->SetSchemeToRobust();
+  detect->SetSecretKey(secret);
+  detect->UseDerivedMessageOn();
+  return detect;
+}
+
+using Attack = std::function<void(vtkMeshAttack*)>;
+
+std::vector<std::pair<const char*, Attack>> Attacks()
+{
+  return {
+    { "similarity", [](vtkMeshAttack* a) { a->SetAttackToSimilarity(); } },
+    { "reordering", [](vtkMeshAttack* a) { a->SetAttackToVertexReordering(); } },
+    { "noise", [](vtkMeshAttack* a) { a->SetAttackToNoiseUniform(); } },
+    { "smoothing", [](vtkMeshAttack* a) { a->SetAttackToLaplacianSmoothing(); } },
+    { "quantization", [](vtkMeshAttack* a) { a->SetAttackToQuantization(); } },
+    { "simplification", [](vtkMeshAttack* a) { a->SetAttackToSimplification(); } },
+    { "midpoint", [](vtkMeshAttack* a) { a->SetAttackToSubdivision(); } },
+    { "Loop",
+      [](vtkMeshAttack* a)
+      {
+        a->SetAttackToSubdivision();
+        a->SetSubdivisionTypeToLoop();
+      } },
+    { "sqrt3",
+      [](vtkMeshAttack* a)
+      {
+        a->SetAttackToSubdivision();
+        a->SetSubdivisionTypeToSqrt3();
+      } },
+    { "remeshing", [](vtkMeshAttack* a) { a->SetAttackToRemeshing(); } },
+    { "isosurface",
+      [](vtkMeshAttack* a)
+      {
+        a->SetAttackToRemeshing();
+        a->SetRemeshingMethodToIsosurface();
+        a->SetIsosurfaceResolution(128);
+      } },
+  };
+}
+
+void ExpectMineAfterEveryAttack(vtkPolyData* marked, double largest)
+{
+  for (const auto& [name, set] : Attacks())
+  {
+    SCOPED_TRACE(name);
+    vtkNew<vtkMeshAttack> attack;
+    attack->SetInputData(marked);
+    set(attack);
+    attack->Update();
+    const auto detect = DetectIn(attack->GetOutput(), "mine");
+    detect->Update();
+    EXPECT_LE(detect->GetPValue(), largest);
+    EXPECT_EQ(detect->GetDetected(), 1);
+    EXPECT_EQ(detect->GetMessageIsValid(), 1);
+    EXPECT_EQ(detect->GetBitErrorRate(), 0.0);
+  }
+}
+
+} // namespace
+
+TEST(RobustScheme, HasItsOwnDefaults)
+{
+  vtkNew<vtkSpectralWatermarkEmbed> embed;
+  EXPECT_STREQ(embed->GetMessage(), "10110");
+  EXPECT_EQ(embed->GetNumberOfBits(), 5);
+  embed->SetSchemeToRobust();
+  EXPECT_STREQ(embed->GetSchemeAsString(), "Robust");
+  EXPECT_STREQ(embed->GetMessage(), "");
+  EXPECT_EQ(embed->GetNumberOfBits(), 64);
+  EXPECT_EQ(embed->GetMaximumDistortion(), 0.07);
+  embed->SetMessage("10110");
+  EXPECT_STREQ(embed->GetMessage(),
+    "10110"); // set is set, whatever the default of the other scheme
+  embed->SetNumberOfBits(32);
+  EXPECT_EQ(embed->GetNumberOfBits(), 32);
+  embed->SetNumberOfBits(0);
+  EXPECT_EQ(embed->GetNumberOfBits(), 64);
+}
+
+TEST(RobustScheme, MarksWithSixtyFourBitsOfTheKey)
+{
+  const auto mesh = Host(5);
+  const auto embed = EmbedIn(mesh, "mine");
+  Listener listener(embed);
+  embed->Update();
+  EXPECT_EQ(listener.Errors, "");
+  EXPECT_EQ(listener.Warnings, "");
+  EXPECT_EQ(embed->GetConverged(), 1);
+  EXPECT_EQ(std::string(embed->GetExtractedMessage()).size(), 64u);
+  EXPECT_LE(embed->GetDistortion(), 0.07);
+  EXPECT_GT(embed->GetDistortion(), 0.03);
+  EXPECT_GT(embed->GetMargin(), 0.9);
+  EXPECT_EQ(embed->GetOutput()->GetNumberOfPoints(), mesh->GetNumberOfPoints());
+  EXPECT_NE(PointArray(embed->GetOutput(), "GeometricDistortion"), nullptr);
+  auto* rounds = vtkTable::SafeDownCast(embed->GetOutputDataObject(1));
+  EXPECT_EQ(rounds->GetNumberOfRows(), embed->GetNumberOfIterationsUsed() + 1);
+  EXPECT_LT(rounds->GetValueByName(rounds->GetNumberOfRows() - 1, "LargestError").ToDouble(), 0.01);
+
+  const auto detect = DetectIn(embed->GetOutput(), "mine");
+  detect->Update();
+  EXPECT_EQ(detect->GetDetected(), 1);
+  EXPECT_EQ(detect->GetMessageIsValid(), 1);
+  EXPECT_EQ(detect->GetBitErrorRate(), 0.0);
+  EXPECT_LT(detect->GetPValue(), 1e-40);
+  EXPECT_STREQ(detect->GetExtractedMessage(), embed->GetExtractedMessage());
+  EXPECT_EQ(vtkTable::SafeDownCast(detect->GetOutputDataObject(1))->GetNumberOfRows(), 168);
+
+  const auto other = DetectIn(embed->GetOutput(), "yours");
+  other->Update();
+  EXPECT_EQ(other->GetDetected(), 0);
+  EXPECT_EQ(other->GetMessageIsValid(), 0);
+  EXPECT_GT(other->GetPValue(), 1e-4);
+  const auto unmarked = DetectIn(mesh, "mine");
+  unmarked->Update();
+  EXPECT_EQ(unmarked->GetDetected(), 0);
+  EXPECT_EQ(unmarked->GetMessageIsValid(), 0);
+}
+
+TEST(RobustScheme, SurvivesEveryAttack)
+{
+  const auto embed = EmbedIn(Host(5), "mine");
+  embed->Update();
+  ExpectMineAfterEveryAttack(embed->GetOutput(), 1e-20);
+}
+
+TEST(RobustScheme, CarriesAMessageForEveryoneWithoutAKey)
+{
+  vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetInputData(Host(4, true));
+  embed->SetSchemeToRobust();
+  embed->SetMessage("110010111");
+  embed->Update();
+  EXPECT_EQ(embed->GetConverged(), 1);
+  vtkNew<vtkSpectralWatermarkDetect> detect;
+  detect->SetInputConnection(embed->GetOutputPort());
+  detect->SetSchemeToRobust();
+  detect->SetNumberOfBits(9);
+  detect->Update();
+  EXPECT_STREQ(detect->GetExtractedMessage(), "110010111");
+  EXPECT_EQ(detect->GetMessageIsValid(), 1);
+  EXPECT_EQ(detect->GetPValue(), 1.0); // nothing was expected
+  detect->SetExpectedMessage("110010111");
+  detect->Update();
+  EXPECT_EQ(detect->GetDetected(), 1);
+  EXPECT_EQ(detect->GetBitErrorRate(), 0.0);
+}
+
+// A model with a hole still encloses its volume, all but a little.
+TEST(RobustScheme, SmallHolesDoNoHarm)
+{
+  vtkNew<vtkMeshAttack> open;
+  open->SetInputData(Host(4));
+  open->SetAttackToCropping();
+  open->SetCroppingPercent(1.0);
+  open->Update();
+  const auto embed = EmbedIn(open->GetOutput(), "mine");
+  embed->Update();
+  EXPECT_EQ(embed->GetConverged(), 1);
+  vtkNew<vtkMeshAttack> moved;
+  moved->SetInputConnection(embed->GetOutputPort());
+  moved->SetAttackToSimilarity();
+  moved->Update();
+  const auto detect = DetectIn(moved->GetOutput(), "mine");
+  detect->Update();
+  EXPECT_EQ(detect->GetMessageIsValid(), 1);
+  EXPECT_EQ(detect->GetDetected(), 1);
+}
+
+TEST(RobustScheme, SaysWhatItCannotDo)
+{
+  const auto expectError = [](vtkAlgorithm* filter, const char* part)
+  {
+    Listener listener(filter);
+    filter->Update();
+    EXPECT_NE(listener.Errors.find(part), std::string::npos) << listener.Errors;
+  };
+  const auto sheet = PolyData(shapes::Rectangle(6, 6, 1.0, 1.0));
+  expectError(EmbedIn(sheet, "mine"), "encloses no volume");
+  expectError(DetectIn(sheet, "mine"), "encloses no volume");
+  const auto mesh = Host(3);
+  auto embed = EmbedIn(mesh, "mine");
+  embed->SetMaximumDistortion(1e-5);
+  expectError(embed, "64 bits would move the surface by");
+  embed = EmbedIn(mesh, "mine");
+  embed->SetNumberOfBits(5000);
+  expectError(embed, "takes messages of 1 to 1024 bits, not 5000");
+  embed = EmbedIn(mesh, "");
+  expectError(embed, "there is no message to embed");
+  embed = EmbedIn(mesh, "mine");
+  embed->SetMessage("10x");
+  expectError(embed, "0 and 1");
+  const auto detect = DetectIn(mesh, "");
+  expectError(detect, "UseDerivedMessage needs a secret key");
+}
+
+TEST(RobustScheme, PrintsItsProperties)
+{
+  std::ostringstream text;
+  EmbedIn(Host(2), "mine")->Print(text);
+  for (const char* name :
+    { "Scheme: Robust", "MaximumDistortion: 0.07", "Distortion: 0", "Margin: 0" })
+  {
+    EXPECT_NE(text.str().find(name), std::string::npos) << name;
+  }
+  EXPECT_EQ(text.str().find("mine"), std::string::npos);
+}
+
+class RobustScan : public testing::TestWithParam<const char*>
+{
+};
+
+// Sixty-four bits in real scans, under the budget, read after each attack.
+TEST_P(RobustScan, IsMineAfterEveryAttack)
+{
+  const auto mesh = ReadScan(GetParam());
+  if (mesh == nullptr)
+  {
+    GTEST_SKIP() << "no " << GetParam() << ".ply in " << MeshDirectory()
+                 << ": set SPECTRALWATERMARK_MESH_DIR to a folder with the scans";
+  }
+  if (mesh->GetNumberOfPoints() > 12000 && std::getenv("SPECTRALWATERMARK_FULL_TESTS") == nullptr)
+  {
+    GTEST_SKIP() << "large: set SPECTRALWATERMARK_FULL_TESTS (./test.sh --full does)";
+  }
+  const auto embed = EmbedIn(mesh, "mine");
+  embed->Update();
+  EXPECT_EQ(embed->GetConverged(), 1);
+  EXPECT_LE(embed->GetDistortion(), 0.07);
+  ExpectMineAfterEveryAttack(embed->GetOutput(), 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scans, RobustScan, testing::Values("elephant", "bunny"));
