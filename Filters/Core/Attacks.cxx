@@ -19,21 +19,6 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 
-std::map<Edge, std::vector<Index>> TrianglesOfEdges(const TriangleMesh& mesh)
-{
-  std::map<Edge, std::vector<Index>> triangles;
-  for (Index t = 0; t < mesh.NumberOfTriangles(); ++t)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const Index a = mesh.Triangles(t, corner);
-      const Index b = mesh.Triangles(t, (corner + 1) % 3);
-      triangles[{ std::min(a, b), std::max(a, b) }].push_back(t);
-    }
-  }
-  return triangles;
-}
-
 // The neighbours of every vertex all of whose edges have two triangles; none of the others.
 std::vector<std::vector<Index>> InnerNeighbours(const TriangleMesh& mesh,
   const std::map<Edge, std::vector<Index>>& triangles)

@@ -52,25 +52,12 @@ double Volume(const Corners& c)
   return c[0].dot(c[1].cross(c[2])) / 6.0;
 }
 
-struct Side
+// Whether the triangle goes from a to b along this edge of its own.
+bool Goes(const TriangleMesh& mesh, Index t, Index a, Index b)
 {
-  Index Triangle;
-  bool Forward; // from the smaller index to the larger
-};
-
-std::map<Edge, std::vector<Side>> SidesOfEdges(const TriangleMesh& mesh)
-{
-  std::map<Edge, std::vector<Side>> sides;
-  for (Index t = 0; t < mesh.NumberOfTriangles(); ++t)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const Index a = mesh.Triangles(t, corner);
-      const Index b = mesh.Triangles(t, (corner + 1) % 3);
-      sides[{ std::min(a, b), std::max(a, b) }].push_back({ t, a < b });
-    }
-  }
-  return sides;
+  const auto corners = mesh.Triangles.row(t);
+  return (corners[0] == a && corners[1] == b) || (corners[1] == a && corners[2] == b) ||
+    (corners[2] == a && corners[0] == b);
 }
 
 struct Neighbour
@@ -83,15 +70,14 @@ std::vector<std::vector<Neighbour>> NeighboursAcrossEdges(const TriangleMesh& me
 {
   std::vector<std::vector<Neighbour>> neighbours(
     static_cast<std::size_t>(mesh.NumberOfTriangles()));
-  for (const auto& [edge, sides] : SidesOfEdges(mesh))
+  for (const auto& [edge, sides] : TrianglesOfEdges(mesh))
   {
     if (sides.size() == 2)
     {
-      const bool alike = sides[0].Forward != sides[1].Forward;
-      neighbours[static_cast<std::size_t>(sides[0].Triangle)].push_back(
-        { sides[1].Triangle, alike });
-      neighbours[static_cast<std::size_t>(sides[1].Triangle)].push_back(
-        { sides[0].Triangle, alike });
+      const bool alike = Goes(mesh, sides[0], edge.first, edge.second) !=
+        Goes(mesh, sides[1], edge.first, edge.second);
+      neighbours[static_cast<std::size_t>(sides[0])].push_back({ sides[1], alike });
+      neighbours[static_cast<std::size_t>(sides[1])].push_back({ sides[0], alike });
     }
   }
   return neighbours;
@@ -144,16 +130,6 @@ Eigen::Array3d ThirdMoments(const TriangleMesh& mesh)
     moments += Volume(c) / 20.0 * (first.cube() + 3.0 * first * second + 2.0 * third) / 6.0;
   }
   return moments;
-}
-
-double SurfaceArea(const TriangleMesh& mesh)
-{
-  double twice = 0.0;
-  for (Index t = 0; t < mesh.NumberOfTriangles(); ++t)
-  {
-    twice += TwiceArea(CornersOf(mesh, t)).norm();
-  }
-  return 0.5 * twice;
 }
 
 // The mean of exp(i k . x) over a triangle, halved: the second divided difference of exp at the
@@ -245,14 +221,14 @@ TriangleMesh::PointMatrix SolidFrame::DifferencesFromFrame(
   return this->Scale * changes * this->Axes;
 }
 
-SolidFrame FrameOf(const TriangleMesh& oriented)
+std::optional<SolidFrame> FrameIfAny(const TriangleMesh& oriented)
 {
   // About a point within first: moments about a far origin would cancel.
   const RowVector3d centre = oriented.Points.colwise().mean();
   TriangleMesh mesh = oriented;
   mesh.Points.rowwise() -= centre;
   const Moments moments = MomentsOf(mesh);
-  if (!(moments.Volume > SmallestSolidity * std::pow(SurfaceArea(mesh), 1.5)))
+  if (!(moments.Volume > SmallestSolidity * std::pow(VertexAreas(mesh).sum(), 1.5)))
   {
     throw InvalidInput(
       "the surface encloses no volume, which the robust scheme needs: close it, or "
@@ -264,8 +240,7 @@ SolidFrame FrameOf(const TriangleMesh& oriented)
   const Eigen::Vector3d variances = principal.eigenvalues().reverse();
   if (!(variances[2] > 0.0))
   {
-    throw InvalidInput("the surface is too open for the robust scheme, its inside is not defined: "
-                       "close it, or use the scheme PaperSlots");
+    return std::nullopt;
   }
   SolidFrame frame;
   frame.Origin = centre + centroid;
@@ -292,6 +267,18 @@ SolidFrame FrameOf(const TriangleMesh& oriented)
   // Which axis gives way must be clear as well.
   frame.Clearness = isLeftHanded ? clear[1] - clear[0] : clear[1];
   return frame;
+}
+
+SolidFrame FrameOf(const TriangleMesh& oriented)
+{
+  const std::optional<SolidFrame> frame = FrameIfAny(oriented);
+  if (!frame)
+  {
+    throw InvalidInput(
+      "the surface encloses no volume, or is too open to have an inside, which the "
+      "robust scheme needs: close it, or use the scheme PaperSlots");
+  }
+  return *frame;
 }
 
 SolidFrame Turned(const SolidFrame& frame, int turn)

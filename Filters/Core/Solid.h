@@ -5,6 +5,8 @@
 
 #include "TriangleMesh.h"
 
+#include <optional>
+
 namespace spectralwatermark
 {
 
@@ -35,6 +37,9 @@ struct SolidFrame
 
 /// Throws InvalidInput for a surface that encloses no volume, or whose moments are those of no solid.
 SolidFrame FrameOf(const TriangleMesh& oriented);
+
+/// The same, or nothing where FrameOf() throws.
+std::optional<SolidFrame> FrameIfAny(const TriangleMesh& oriented);
 
 /// The frame turned by half a turn about one of its axes: 0 about none, 1 to 3. What remains open
 /// where third moments are too small to tell signs.

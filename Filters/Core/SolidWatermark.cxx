@@ -16,6 +16,7 @@
 #include <cmath>
 #include <iomanip>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -559,14 +560,14 @@ SolidReading ReadSolid(const TriangleMesh& mesh, const SecretKey& key, Index mes
     {
       sharper.Points = smoothing.Apply(sharper.Points, -SmoothingFactor);
     }
-    if (!(VertexAreas(sharper).sum() < MostArea * area))
+    const std::optional<SolidFrame> frame = FrameIfAny(sharper);
+    if (!frame || !(VertexAreas(sharper).sum() < MostArea * area))
     {
       break; // noise has grown over everything
     }
-    const SolidFrame frame = FrameOf(sharper);
     for (int turn = 0; turn < turns; ++turn)
     {
-      const View view(sharper, Turned(frame, turn));
+      const View view(sharper, Turned(*frame, turn));
       double score = 0.0;
       SolidReading reading =
         BestStep(SolidSpectrum(view.Mesh, carriers.Waves, threads), judge, threads, score);

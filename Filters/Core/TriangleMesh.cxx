@@ -26,6 +26,21 @@ std::vector<Edge> UniqueEdges(const TriangleMesh& mesh)
   return edges;
 }
 
+std::map<Edge, std::vector<Index>> TrianglesOfEdges(const TriangleMesh& mesh)
+{
+  std::map<Edge, std::vector<Index>> triangles;
+  for (Index t = 0; t < mesh.NumberOfTriangles(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const Index a = mesh.Triangles(t, corner);
+      const Index b = mesh.Triangles(t, (corner + 1) % 3);
+      triangles[{ std::min(a, b), std::max(a, b) }].push_back(t);
+    }
+  }
+  return triangles;
+}
+
 double MeanEdgeLength(const TriangleMesh& mesh)
 {
   const std::vector<Edge> edges = UniqueEdges(mesh);

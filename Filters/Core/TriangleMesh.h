@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,9 @@ using Edge = std::pair<Index, Index>;
 
 /// Each edge once, sorted.
 std::vector<Edge> UniqueEdges(const TriangleMesh& mesh);
+
+/// The triangles of each edge: one on a boundary, two inside a manifold.
+std::map<Edge, std::vector<Index>> TrianglesOfEdges(const TriangleMesh& mesh);
 
 /// Mean length over UniqueEdges(), 0 without any: the paper's e-bar in 3.3.3.
 double MeanEdgeLength(const TriangleMesh& mesh);

@@ -2,6 +2,7 @@
 #include "SurfaceResampling.h"
 
 #include "Core/Errors.h"
+#include "Core/Solid.h"
 #include "FilterRun.h"
 #include "PolyDataMesh.h"
 
@@ -40,30 +41,9 @@ constexpr int Band = 2;
 
 bool IsClosed(const TriangleMesh& mesh)
 {
-  std::map<Edge, int> sides;
-  for (Index t = 0; t < mesh.NumberOfTriangles(); ++t)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const Index a = mesh.Triangles(t, corner);
-      const Index b = mesh.Triangles(t, (corner + 1) % 3);
-      ++sides[{ std::min(a, b), std::max(a, b) }];
-    }
-  }
-  return std::all_of(sides.begin(), sides.end(), [](const auto& edge) { return edge.second == 2; });
-}
-
-double SurfaceArea(const TriangleMesh& mesh)
-{
-  double area = 0.0;
-  for (Index t = 0; t < mesh.NumberOfTriangles(); ++t)
-  {
-    const Eigen::RowVector3d a = mesh.Points.row(mesh.Triangles(t, 0));
-    const Eigen::RowVector3d b = mesh.Points.row(mesh.Triangles(t, 1));
-    const Eigen::RowVector3d c = mesh.Points.row(mesh.Triangles(t, 2));
-    area += 0.5 * (b - a).cross(c - a).norm();
-  }
-  return area;
+  const std::map<Edge, std::vector<Index>> triangles = TrianglesOfEdges(mesh);
+  return std::all_of(triangles.begin(), triangles.end(),
+    [](const auto& edge) { return edge.second.size() == 2; });
 }
 
 vtkSmartPointer<vtkPolyData> Cluster(vtkPolyData* fine, double step)
@@ -238,7 +218,7 @@ TriangleMesh Subdivide(const TriangleMesh& mesh, Subdivision kind, int times, vt
 TriangleMesh ResampleUniformly(const TriangleMesh& mesh, Index count, vtkAlgorithm* filter)
 {
   // A surface passes through about so many cells per area of a cell's side.
-  double step = std::sqrt(1.5 * SurfaceArea(mesh) / static_cast<double>(count));
+  double step = std::sqrt(1.5 * VertexAreas(mesh).sum() / static_cast<double>(count));
   vtkNew<vtkAdaptiveSubdivisionFilter> split;
   split->SetInputData(ToPolyData(mesh, false));
   split->SetMaximumEdgeLength(0.5 * step);

@@ -24,6 +24,18 @@ TEST(SecretKey, DerivationIsPinned)
   EXPECT_EQ(key.Message(64), "1011100010100001100011000110001100101010001111111001111011100000");
 }
 
+TEST(SecretKey, DerivationForTheRobustSchemeIsPinned)
+{
+  const SecretKey key("a secret");
+  EXPECT_EQ(key.WaveNumbers(3),
+    (std::vector<double>{ 0.33367837748338514, 0.33219131956536208, 0.52929921256007972 }));
+  EXPECT_EQ(key.Dither(3),
+    (std::vector<double>{ 0.065948233430544678, 0.13304546307218301, 0.80515901715596139 }));
+  EXPECT_EQ(key.CarrierKeystream(24), "100101111111101001101111");
+  EXPECT_EQ(key.Check("10110", 24), "100000101010110011001000");
+  EXPECT_NE(key.Check("10111", 24), key.Check("10110", 24));
+}
+
 TEST(SecretKey, LongerStreamsBeginWithShorterOnes)
 {
   const SecretKey key("a secret");

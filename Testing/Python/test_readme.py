@@ -30,7 +30,7 @@ class ReadmeTest(unittest.TestCase):
             for block in blocks:
                 exec(block, names)  # pylint: disable=exec-used
         self.assertIn("reads 10110", printed.getvalue())
-        self.assertIn("mine p =", printed.getvalue())
+        self.assertEqual(printed.getvalue().count("\nmine p ="), 2)  # with each scheme
         self.assertNotIn("not mine", printed.getvalue())
         self.assertEqual(names["basis"].shape[1], 100)
 
