@@ -29,14 +29,15 @@ MultifrontalFactors::MultifrontalFactors(const Eigen::SparseMatrix<double>& patt
   std::vector<int> rowInFront(static_cast<std::size_t>(pattern.cols()));
   for (const Supernode& node : this->Tree.Nodes)
   {
+    const auto place = [&rowInFront](int row, int at)
+    { rowInFront[static_cast<std::size_t>(row)] = at; };
     for (int k = 0; k < node.Width; ++k)
     {
-      rowInFront[static_cast<std::size_t>(node.First + k)] = k;
+      place(node.First + k, k);
     }
-    for (int k = node.Width; k < node.Height(); ++k)
+    for (std::size_t k = 0; k < node.Below.size(); ++k)
     {
-      rowInFront[static_cast<std::size_t>(node.Below[static_cast<std::size_t>(k - node.Width)])] =
-        k;
+      place(node.Below[k], node.Width + static_cast<int>(k));
     }
     for (int j = node.First; j < node.First + node.Width; ++j)
     {

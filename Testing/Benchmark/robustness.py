@@ -42,7 +42,7 @@ def property_setter(attack: str, setter: str | None = None, **fixed: int):
         for name, value in fixed.items():
             getattr(filter_, f"Set{name}")(value)
         if setter:
-            getattr(filter_, f"Set{setter}")(strength)
+            getattr(filter_, f"Set{setter}")(int(strength) if strength == int(strength) else strength)
     return apply
 
 
