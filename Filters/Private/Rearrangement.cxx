@@ -90,7 +90,7 @@ vtkSmartPointer<vtkPolyData> Rearranged(vtkPolyData* input, const std::vector<vt
   vtkIdType first = 0;
   const auto copy = [&](vtkCellArray* cells, const std::vector<vtkIdType>& order)
   {
-    const auto copied = CopyCells(cells, order, newPoint, first, kept);
+    auto copied = CopyCells(cells, order, newPoint, first, kept);
     first += cells->GetNumberOfCells();
     return copied;
   };

@@ -51,11 +51,10 @@ vtkSmartPointer<vtkPolyData> Cluster(vtkPolyData* fine, double step)
   double bounds[6];
   fine->GetBounds(bounds);
   std::array<int, 3> divisions{};
-  for (int axis = 0; axis < 3; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const double size = bounds[2 * axis + 1] - bounds[2 * axis];
-    divisions[static_cast<std::size_t>(axis)] =
-      std::max(1, static_cast<int>(std::ceil(size / step)));
+    divisions[axis] = std::max(1, static_cast<int>(std::ceil(size / step)));
   }
   vtkNew<vtkQuadricClustering> cluster;
   cluster->SetInputData(fine);
