@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -335,9 +334,7 @@ void vtkMeshAttack::Crop(vtkPolyData* input, vtkPolyData* output)
     points.push_back(heights[k].second);
   }
   std::sort(points.begin(), points.end());
-  std::vector<vtkIdType> polygons(static_cast<std::size_t>(input->GetNumberOfPolys()));
-  std::iota(polygons.begin(), polygons.end(), vtkIdType{ 0 });
-  const auto cropped = sw::Rearranged(input, points, polygons);
+  const auto cropped = sw::Rearranged(input, points, sw::AsTheyAre(input->GetNumberOfPolys()));
   if (cropped->GetNumberOfPolys() + cropped->GetNumberOfStrips() == 0)
   {
     throw sw::InvalidInput("no polygon is left: lower CroppingPercent");

@@ -16,15 +16,16 @@ namespace
 
 #define ALWAYS_INLINE inline __attribute__((always_inline))
 
-// Loops over a few registers, which must be unrolled to stay in them.
+// The products of a few rows of L, `depth` long, with as many rows of eight as that. Few enough to
+// stay in registers, which the loops must be unrolled for.
 template <int Count>
-ALWAYS_INLINE void SubtractRows(double* rows, Index stride, const double* l, Index depth,
-  const double* packed)
+ALWAYS_INLINE void MultiplyFewRows(const double* l, Index stride, Index depth, const double* eights,
+  Row* products)
 {
   Row sum[Count] = {};
   for (Index k = 0; k < depth; ++k)
   {
-    const Row right = Rows(packed)[k];
+    const Row right = Rows(eights)[k];
 #pragma GCC unroll 8
     for (int i = 0; i < Count; ++i)
     {
@@ -34,7 +35,20 @@ ALWAYS_INLINE void SubtractRows(double* rows, Index stride, const double* l, Ind
 #pragma GCC unroll 8
   for (int i = 0; i < Count; ++i)
   {
-    *Rows(rows + i * stride) -= sum[i];
+    products[i] = sum[i];
+  }
+}
+
+template <int Count>
+ALWAYS_INLINE void SubtractRows(double* rows, Index stride, const double* l, Index depth,
+  const double* packed)
+{
+  Row products[Count];
+  MultiplyFewRows<Count>(l, stride, depth, packed, products);
+#pragma GCC unroll 8
+  for (int i = 0; i < Count; ++i)
+  {
+    *Rows(rows + i * stride) -= products[i];
   }
 }
 
@@ -140,20 +154,12 @@ template <int Count>
 ALWAYS_INLINE void Forward(const double* l, Index width, Index depth, const double* own,
   Row* const* to)
 {
-  Row sum[Count] = {};
-  for (Index k = 0; k < depth; ++k)
-  {
-    const Row right = Rows(own)[k];
-#pragma GCC unroll 8
-    for (int i = 0; i < Count; ++i)
-    {
-      sum[i] += l[i * width + k] * right;
-    }
-  }
+  Row products[Count];
+  MultiplyFewRows<Count>(l, width, depth, own, products);
 #pragma GCC unroll 8
   for (int i = 0; i < Count; ++i)
   {
-    *to[i] -= sum[i];
+    *to[i] -= products[i];
   }
 }
 

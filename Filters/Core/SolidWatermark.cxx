@@ -3,6 +3,7 @@
 
 #include "Attacks.h"
 #include "Detection.h"
+#include "Distortion.h"
 #include "Errors.h"
 #include "GolayCode.h"
 #include "Parallel.h"
@@ -300,11 +301,6 @@ Plan PlanWithStep(int number, const VectorXd& values, const std::string& code,
   return { number, values + changes, std::sqrt(std::max(0.0, changes.dot(cost * changes))) };
 }
 
-double Diagonal(const TriangleMesh& mesh)
-{
-  return (mesh.Points.colwise().maxCoeff() - mesh.Points.colwise().minCoeff()).norm();
-}
-
 double RootMeanSquare(const TriangleMesh& mesh, const TriangleMesh::PointMatrix& moved)
 {
   const VectorXd areas = VertexAreas(mesh);
@@ -324,13 +320,8 @@ public:
     : Original(oriented)
     , Carrier(carriers)
     , Threads(threads)
-    , Diagonal(spectralwatermark::Diagonal(oriented))
+    , Diagonal(BoundingBoxDiagonal(oriented.Points))
   {
-  }
-
-  VectorXd Values(const TriangleMesh& mesh) const
-  {
-    return SolidSpectrum(View(mesh).Mesh, this->Carrier.Waves, this->Threads);
   }
 
   SolidEmbeddingResult Run(const Plan& plan, const SolidEmbeddingOptions& options,
@@ -371,7 +362,11 @@ SolidEmbeddingResult Embedding::Run(const Plan& plan, const SolidEmbeddingOption
   result.Points = Stored(mesh.Points, options.RoundToFloat);
   mesh.Points = result.Points;
   result.Distortion = RootMeanSquare(this->Original, result.Points) / this->Diagonal;
-  const double worst = (this->Values(mesh) - plan.Targets).cwiseAbs().maxCoeff() / result.Step;
+  const double worst =
+    (SolidSpectrum(View(mesh).Mesh, this->Carrier.Waves, this->Threads) - plan.Targets)
+      .cwiseAbs()
+      .maxCoeff() /
+    result.Step;
   result.Margin = std::max(0.0, 1.0 - 4.0 * worst);
   return result;
 }
@@ -408,17 +403,12 @@ struct Judge
 
   double Score(const SolidReading& reading) const
   {
+    if (!this->ExpectedCode.empty())
+    {
+      return static_cast<double>(CountAgreements(reading.Code, this->ExpectedCode));
+    }
     double score = 0.0;
-    if (this->ExpectedCode.empty())
-    {
-      Decode(reading.Soft, score);
-      return score;
-    }
-    for (Index j = 0; j < this->Carrier.Count(); ++j)
-    {
-      const auto at = static_cast<std::size_t>(j);
-      score += reading.Code[at] == this->ExpectedCode[at] ? 1.0 : 0.0;
-    }
+    Decode(reading.Soft, score);
     return score;
   }
 };
@@ -507,11 +497,11 @@ SolidEmbeddingResult EmbedInSolid(const TriangleMesh& mesh, const SecretKey& key
   const TriangleMesh oriented = Oriented(mesh);
   const Embedding embedding(oriented, carriers, options.Threads);
   const View view(oriented);
-  const VectorXd values = embedding.Values(oriented);
+  const VectorXd values = SolidSpectrum(view.Mesh, carriers.Waves, options.Threads);
   const MatrixXd cost = Response(view, carriers).Cost(carriers.Count());
   progress.Report(0.1);
 
-  const double scale = view.Frame.Scale / Diagonal(oriented);
+  const double scale = view.Frame.Scale / BoundingBoxDiagonal(oriented.Points);
   SolidEmbeddingResult result;
   int under = NumberOfSteps;
   for (int attempt = 0; attempt < 3; ++attempt)

@@ -60,14 +60,14 @@ vtkSmartPointer<vtkCellArray> CopyCells(vtkCellArray* cells, const std::vector<v
   return copied;
 }
 
-std::vector<vtkIdType> AsTheyAre(vtkCellArray* cells)
+} // namespace
+
+std::vector<vtkIdType> AsTheyAre(vtkIdType count)
 {
-  std::vector<vtkIdType> order(static_cast<std::size_t>(cells->GetNumberOfCells()));
+  std::vector<vtkIdType> order(static_cast<std::size_t>(count));
   std::iota(order.begin(), order.end(), vtkIdType{ 0 });
   return order;
 }
-
-} // namespace
 
 vtkSmartPointer<vtkPolyData> Rearranged(vtkPolyData* input, const std::vector<vtkIdType>& points,
   const std::vector<vtkIdType>& polygons)
@@ -94,10 +94,10 @@ vtkSmartPointer<vtkPolyData> Rearranged(vtkPolyData* input, const std::vector<vt
     first += cells->GetNumberOfCells();
     return copied;
   };
-  output->SetVerts(copy(input->GetVerts(), AsTheyAre(input->GetVerts())));
-  output->SetLines(copy(input->GetLines(), AsTheyAre(input->GetLines())));
+  output->SetVerts(copy(input->GetVerts(), AsTheyAre(input->GetNumberOfVerts())));
+  output->SetLines(copy(input->GetLines(), AsTheyAre(input->GetNumberOfLines())));
   output->SetPolys(copy(input->GetPolys(), polygons));
-  output->SetStrips(copy(input->GetStrips(), AsTheyAre(input->GetStrips())));
+  output->SetStrips(copy(input->GetStrips(), AsTheyAre(input->GetNumberOfStrips())));
   CopyAttributes(input->GetCellData(), output->GetCellData(), kept);
   output->GetFieldData()->PassData(input->GetFieldData());
   return output;

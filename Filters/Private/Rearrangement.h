@@ -18,6 +18,9 @@ namespace spectralwatermark
 vtkSmartPointer<vtkPolyData> Rearranged(vtkPolyData* input, const std::vector<vtkIdType>& points,
   const std::vector<vtkIdType>& polygons);
 
+/// The numbers from 0 to count - 1.
+std::vector<vtkIdType> AsTheyAre(vtkIdType count);
+
 } // namespace spectralwatermark
 
 #endif

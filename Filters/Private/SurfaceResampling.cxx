@@ -18,6 +18,7 @@
 #include <vtkPolyData.h>
 #include <vtkQuadricClustering.h>
 #include <vtkSmartPointer.h>
+#include <vtkSubdivisionFilter.h>
 
 #include <algorithm>
 #include <array>
@@ -191,27 +192,24 @@ private:
 
 TriangleMesh Subdivide(const TriangleMesh& mesh, Subdivision kind, int times, vtkAlgorithm* filter)
 {
-  vtkSmartPointer<vtkApproximatingSubdivisionFilter> loop;
-  vtkSmartPointer<vtkInterpolatingSubdivisionFilter> midpoint;
-  const auto run = [&](auto& subdivide)
-  {
-    subdivide->SetInputData(ToPolyData(mesh, false));
-    subdivide->SetNumberOfSubdivisions(times);
-    UpdateInside(subdivide, filter, 0.1, 0.9);
-    if (subdivide->GetOutput()->GetNumberOfPolys() == 0)
-    {
-      throw InvalidInput("the surface cannot be subdivided: Loop's rule needs edges with one or "
-                         "two triangles that are oriented alike");
-    }
-    return ToMesh(subdivide->GetOutput(), CoincidentPoints::Keep).Mesh;
-  };
+  vtkSmartPointer<vtkSubdivisionFilter> subdivide;
   if (kind == Subdivision::Loop)
   {
-    loop = vtkSmartPointer<vtkLoopSubdivisionFilter>::New();
-    return run(loop);
+    subdivide = vtkSmartPointer<vtkLoopSubdivisionFilter>::New();
   }
-  midpoint = vtkSmartPointer<vtkLinearSubdivisionFilter>::New();
-  return run(midpoint);
+  else
+  {
+    subdivide = vtkSmartPointer<vtkLinearSubdivisionFilter>::New();
+  }
+  subdivide->SetInputData(ToPolyData(mesh, false));
+  subdivide->SetNumberOfSubdivisions(times);
+  UpdateInside(subdivide, filter, 0.1, 0.9);
+  if (subdivide->GetOutput()->GetNumberOfPolys() == 0)
+  {
+    throw InvalidInput("the surface cannot be subdivided: Loop's rule needs edges with one or two "
+                       "triangles that are oriented alike");
+  }
+  return ToMesh(subdivide->GetOutput(), CoincidentPoints::Keep).Mesh;
 }
 
 TriangleMesh ResampleUniformly(const TriangleMesh& mesh, Index count, vtkAlgorithm* filter)

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 using namespace filtertesting;
 
@@ -38,10 +37,9 @@ std::string NameOf(const testing::TestParamInfo<const char*>& scan)
 TEST_P(RealMesh, CarriesFiveBits)
 {
   const auto mesh = ReadScan(GetParam());
-  if (mesh == nullptr)
+  if (const std::string reason = WhyToSkip(GetParam(), mesh, true); !reason.empty())
   {
-    GTEST_SKIP() << "no " << GetParam() << ".ply in " << MeshDirectory()
-                 << ": set SPECTRALWATERMARK_MESH_DIR to a folder with the scans";
+    GTEST_SKIP() << reason;
   }
   vtkNew<vtkSpectralWatermarkEmbed> embed;
   embed->SetInputData(mesh);
@@ -70,14 +68,9 @@ TEST_P(RealMesh, CarriesFiveBits)
 TEST_P(RealMesh, NoModeClaimsAWrongSuccess)
 {
   const auto mesh = ReadScan(GetParam());
-  if (mesh == nullptr)
+  if (const std::string reason = WhyToSkip(GetParam(), mesh, false); !reason.empty())
   {
-    GTEST_SKIP() << "no " << GetParam() << ".ply in " << MeshDirectory()
-                 << ": set SPECTRALWATERMARK_MESH_DIR to a folder with the scans";
-  }
-  if (mesh->GetNumberOfPoints() > 12000 && std::getenv("SPECTRALWATERMARK_FULL_TESTS") == nullptr)
-  {
-    GTEST_SKIP() << "large: set SPECTRALWATERMARK_FULL_TESTS (./test.sh --full does)";
+    GTEST_SKIP() << reason;
   }
   vtkNew<vtkManifoldHarmonics> harmonics; // serves every mode's first iteration
   harmonics->SetInputData(mesh);
@@ -135,10 +128,9 @@ void ExpectBitsAfter(vtkMeshAttack* attack, vtkPolyData* marked)
 TEST(RealMeshes, MarkSurvivesSimilaritiesAndMildAttacks)
 {
   const auto mesh = ReadScan("bunny");
-  if (mesh == nullptr)
+  if (const std::string reason = WhyToSkip("bunny", mesh, true); !reason.empty())
   {
-    GTEST_SKIP() << "no bunny.ply in " << MeshDirectory()
-                 << ": set SPECTRALWATERMARK_MESH_DIR to a folder with the scans";
+    GTEST_SKIP() << reason;
   }
   vtkNew<vtkSpectralWatermarkEmbed> embed;
   embed->SetInputData(mesh);
@@ -167,10 +159,9 @@ TEST(RealMeshes, MarkSurvivesSimilaritiesAndMildAttacks)
 TEST(RealMeshes, QuantisedScanKeepsItsSpectrum)
 {
   const auto mesh = ReadScan("bimba");
-  if (mesh == nullptr)
+  if (const std::string reason = WhyToSkip("bimba", mesh, true); !reason.empty())
   {
-    GTEST_SKIP() << "no bimba.ply in " << MeshDirectory()
-                 << ": set SPECTRALWATERMARK_MESH_DIR to a folder with the scans";
+    GTEST_SKIP() << reason;
   }
   vtkNew<vtkManifoldHarmonics> original;
   original->SetInputData(mesh);

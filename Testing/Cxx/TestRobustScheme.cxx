@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <sstream>
 
@@ -260,14 +259,9 @@ class RobustScan : public testing::TestWithParam<const char*>
 TEST_P(RobustScan, IsMineAfterEveryAttack)
 {
   const auto mesh = ReadScan(GetParam());
-  if (mesh == nullptr)
+  if (const std::string reason = WhyToSkip(GetParam(), mesh, false); !reason.empty())
   {
-    GTEST_SKIP() << "no " << GetParam() << ".ply in " << MeshDirectory()
-                 << ": set SPECTRALWATERMARK_MESH_DIR to a folder with the scans";
-  }
-  if (mesh->GetNumberOfPoints() > 12000 && std::getenv("SPECTRALWATERMARK_FULL_TESTS") == nullptr)
-  {
-    GTEST_SKIP() << "large: set SPECTRALWATERMARK_FULL_TESTS (./test.sh --full does)";
+    GTEST_SKIP() << reason;
   }
   const auto embed = EmbedIn(mesh, "mine");
   embed->Update();

@@ -177,4 +177,17 @@ vtkSmartPointer<vtkPolyData> ReadScan(const std::string& name)
   return reader->GetOutput();
 }
 
+std::string WhyToSkip(const std::string& name, vtkPolyData* scan, bool evenIfLarge)
+{
+  constexpr vtkIdType large = 12000;
+  if (scan == nullptr)
+  {
+    return "no " + name + ".ply in " + MeshDirectory() +
+      ": set SPECTRALWATERMARK_MESH_DIR to a folder with the scans";
+  }
+  const bool isLeftOut = !evenIfLarge && scan->GetNumberOfPoints() > large &&
+    std::getenv("SPECTRALWATERMARK_FULL_TESTS") == nullptr;
+  return isLeftOut ? "large: set SPECTRALWATERMARK_FULL_TESTS (./test.sh --full does)" : "";
+}
+
 } // namespace filtertesting
