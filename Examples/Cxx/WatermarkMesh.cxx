@@ -61,6 +61,7 @@ int main(int argc, char* argv[])
   std::cout << "embedded " << message << " in " << embed->GetNumberOfIterationsUsed()
             << " iterations, read back " << detect->GetExtractedMessage() << "\n"
             << "mean displacement: " << 100.0 * distortion->GetGeomDiff()
-            << " % of the bounding-box diagonal\n";
+            << " % of the bounding-box diagonal, visible distortion (MSDM2): "
+            << distortion->GetMSDM2() << "\n";
   return detect->GetExtractedMessage() == std::string(message) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -8,6 +8,12 @@
 namespace spectralwatermark
 {
 
+bool SameTriangles(const TriangleMesh& a, const TriangleMesh& b)
+{
+  return a.NumberOfVertices() == b.NumberOfVertices() &&
+    a.NumberOfTriangles() == b.NumberOfTriangles() && a.Triangles == b.Triangles;
+}
+
 std::vector<Edge> UniqueEdges(const TriangleMesh& mesh)
 {
   std::vector<Edge> edges;

@@ -27,6 +27,9 @@ struct TriangleMesh
   Index NumberOfTriangles() const { return this->Triangles.rows(); }
 };
 
+/// Whether both have as many vertices, and the same triangles in the same order.
+bool SameTriangles(const TriangleMesh& a, const TriangleMesh& b);
+
 /// An undirected edge, smaller index first.
 using Edge = std::pair<Index, Index>;
 

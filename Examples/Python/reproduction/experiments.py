@@ -171,6 +171,8 @@ def _embedding_record(
     model: Model, mode: Mode, message: str, embedding: vtkSpectralWatermarkEmbed, first: int
 ) -> dict:
     distortion = vtkMeshDistortion()
+    distortion.ComputeSurfaceDistancesOff()
+    distortion.ComputePerceptualDistancesOff()
     distortion.SetInputData(0, original_of(model)[0])
     distortion.SetInputData(1, embedding.GetOutput())
     update(distortion)

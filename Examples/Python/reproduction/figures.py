@@ -220,6 +220,8 @@ def _draw_change(
 ) -> dict:
     """Original, changed, and both differences in colour."""
     distortion = vtkMeshDistortion()
+    distortion.ComputeSurfaceDistancesOff()
+    distortion.ComputePerceptualDistancesOff()
     distortion.SetInputData(0, original)
     distortion.SetInputData(1, changed)
     update(distortion)
