@@ -242,8 +242,8 @@ public:
 
   ///@{
   /**
-   * Set/Get R of Quantization: each side of the bounding box has 2^R steps. Default 9, from 1 to
-   * 30.
+   * Set/Get R of Quantization: each axis has 2^R levels, evenly from one side of the bounding box to
+   * the other. Default 9, from 1 to 30.
    */
   vtkSetClampMacro(QuantizationBits, int, 1, 30);
   vtkGetMacro(QuantizationBits, int);

@@ -119,7 +119,7 @@ TriangleMesh::PointMatrix LaplacianSmoothing(const TriangleMesh& mesh, double fa
 
 TriangleMesh::PointMatrix Quantize(const TriangleMesh& mesh, int bits)
 {
-  const double steps = std::ldexp(1.0, bits);
+  const double steps = std::ldexp(1.0, bits) - 1.0;
   TriangleMesh::PointMatrix points = mesh.Points;
   for (Index axis = 0; axis < 3; ++axis)
   {
@@ -127,8 +127,8 @@ TriangleMesh::PointMatrix Quantize(const TriangleMesh& mesh, int bits)
     const double size = points.col(axis).maxCoeff() - lowest;
     for (Index v = 0; v < points.rows() && size > 0.0; ++v)
     {
-      const double step = std::floor((points(v, axis) - lowest) / size * steps);
-      points(v, axis) = lowest + (std::min(step, steps - 1.0) + 0.5) / steps * size;
+      points(v, axis) =
+        lowest + std::round((points(v, axis) - lowest) / size * steps) / steps * size;
     }
   }
   return points;

@@ -37,8 +37,8 @@ private:
 TriangleMesh::PointMatrix LaplacianSmoothing(const TriangleMesh& mesh, double factor,
   int iterations, const Progress& progress);
 
-/// Every coordinate rounded to the middle of one of 2^bits equal steps along its axis of the
-/// bounding box.
+/// Every coordinate rounded to the nearest of 2^bits levels along its axis, evenly from one side of the
+/// bounding box to the other, as mesh coders do.
 TriangleMesh::PointMatrix Quantize(const TriangleMesh& mesh, int bits);
 
 /// x -> scale * rotation * x + translation.

@@ -113,7 +113,7 @@ TEST(Attacks, SmoothingKeepsBoundariesAndShrinksTheRest)
   EXPECT_EQ(LaplacianSmoothing(sphere, 0.1, 0, Progress()), sphere.Points);
 }
 
-TEST(Attacks, QuantizationHasAsManyStepsAsItSays)
+TEST(Attacks, QuantizationHasAsManyLevelsAsItSays)
 {
   const TriangleMesh mesh = shapes::Bumpy(4);
   for (const int bits : { 1, 5, 9 })
@@ -123,10 +123,12 @@ TEST(Attacks, QuantizationHasAsManyStepsAsItSays)
     for (Index axis = 0; axis < 3; ++axis)
     {
       const double size = mesh.Points.col(axis).maxCoeff() - mesh.Points.col(axis).minCoeff();
-      const double half = 0.5 * size / std::ldexp(1.0, bits);
+      const double half = 0.5 * size / (std::ldexp(1.0, bits) - 1.0);
       EXPECT_LE((coarse.Points - mesh.Points).col(axis).cwiseAbs().maxCoeff(),
         half * (1.0 + 1e-12));
       const Eigen::VectorXd column = coarse.Points.col(axis);
+      EXPECT_EQ(column.minCoeff(), mesh.Points.col(axis).minCoeff());
+      EXPECT_NEAR(column.maxCoeff(), mesh.Points.col(axis).maxCoeff(), 1e-12);
       const std::set<double> values(column.begin(), column.end());
       EXPECT_LE(values.size(), std::size_t{ 1 } << bits);
       EXPECT_GE(values.size(), std::size_t{ 1 } << std::min(bits, 5));

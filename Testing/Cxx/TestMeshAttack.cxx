@@ -12,6 +12,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataConnectivityFilter.h>
 #include <vtkPolyDataNormals.h>
 
 #include <gtest/gtest.h>
@@ -389,6 +390,29 @@ TEST(MeshAttack, AnIsosurfaceOfLargeTrianglesIsTheirSolid)
   solid->SetInputData(attack->GetOutput());
   EXPECT_NEAR(solid->GetVolume(), 2.0, 0.02);
   EXPECT_NEAR(solid->GetSurfaceArea(), 10.0, 0.6); // edges of length 16 lose up to a step
+}
+
+// Turned inside out, and with a second solid that overlaps the first: what is inside of one is inside.
+TEST(MeshAttack, AnIsosurfaceIsThatOfTheUnion)
+{
+  shapes::TriangleMesh two = shapes::Union({ shapes::Icosphere(3), shapes::Icosphere(3) }, 1.0);
+  two.Triangles.col(1).swap(two.Triangles.col(2));
+  const auto attack = AttackOn(PolyData(two), vtkMeshAttack::Remeshing);
+  attack->SetRemeshingMethodToIsosurface();
+  attack->SetIsosurfaceResolution(90);
+  attack->Update();
+  vtkNew<vtkMassProperties> solid;
+  solid->SetInputData(attack->GetOutput());
+  const double pi = 3.14159265358979323846;
+  EXPECT_NEAR(solid->GetVolume(), 2.25 * pi, 0.02 * 2.25 * pi); // two caps of height 1.5
+  vtkNew<vtkPolyDataConnectivityFilter> parts;
+  parts->SetInputConnection(attack->GetOutputPort());
+  parts->SetExtractionModeToAllRegions();
+  parts->Update();
+  EXPECT_EQ(parts->GetNumberOfExtractedRegions(), 1);
+  double bounds[6];
+  attack->GetOutput()->GetBounds(bounds);
+  EXPECT_LT(bounds[1] - bounds[0], 3.0 + 0.05);
 }
 
 TEST(MeshAttack, UnknownAttackAndBadParametersAreErrors)

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/SignedDistances.h"
+
+#include "Private/PolyDataMesh.h"
+
+#include <Eigen/Geometry>
+
+#include <vtkImageData.h>
+#include <vtkImplicitPolyDataDistance.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace spectralwatermark
+{
+
+namespace
+{
+
+// Around the surface, in steps.
+constexpr int Margin = 3;
+
+// Distances are computed so many steps around every triangle: enough for the zero level.
+constexpr int Band = 2;
+
+using Point = Eigen::RowVector3d;
+
+// Where a line along x enters (1) or leaves (-1) the solid.
+struct Crossing
+{
+  double X;
+  int Turns;
+};
+
+class Grid
+{
+public:
+  Grid(const TriangleMesh& mesh, int resolution)
+    : Mesh(mesh)
+  {
+    const Point lowest = mesh.Points.colwise().minCoeff();
+    const Point size = mesh.Points.colwise().maxCoeff() - lowest;
+    this->Step = size.maxCoeff() / resolution;
+    this->Origin = lowest.array() - Margin * this->Step;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Size[axis] = static_cast<int>(std::ceil(size[axis] / this->Step)) + 1 + 2 * Margin;
+    }
+    this->Image->SetDimensions(this->Size.data());
+    this->Image->SetOrigin(this->Origin.data());
+    this->Image->SetSpacing(this->Step, this->Step, this->Step);
+    this->Image->AllocateScalars(VTK_FLOAT, 1);
+    this->Values = static_cast<float*>(this->Image->GetScalarPointer());
+    std::fill_n(this->Values, this->Image->GetNumberOfPoints(),
+      static_cast<float>(Band * this->Step)); // far away
+  }
+
+  void ComputeDistances(const Progress& progress);
+  void TurnInsideNegative();
+
+  vtkSmartPointer<vtkImageData> GetImage() const { return this->Image; }
+
+private:
+  Point At(int x, int y, int z) const { return this->Origin + this->Step * Point(x, y, z); }
+  std::size_t Number(int x, int y, int z) const
+  {
+    return static_cast<std::size_t>(x) + static_cast<std::size_t>(this->Size[0]) * this->Row(y, z);
+  }
+  std::size_t Row(int y, int z) const
+  {
+    return static_cast<std::size_t>(y) +
+      static_cast<std::size_t>(this->Size[1]) * static_cast<std::size_t>(z);
+  }
+  Point Corner(Index triangle, int corner) const
+  {
+    return this->Mesh.Points.row(this->Mesh.Triangles(triangle, corner));
+  }
+  Point Normal(Index triangle) const
+  {
+    const Point a = this->Corner(triangle, 0);
+    return (this->Corner(triangle, 1) - a).cross(this->Corner(triangle, 2) - a);
+  }
+
+  // The grid's points within so many steps of the triangle's box, [First, Last] along each axis.
+  struct Box
+  {
+    std::array<int, 3> First;
+    std::array<int, 3> Last;
+  };
+  Box Around(Index triangle, int steps) const;
+
+  void ComputeAround(Index triangle, vtkImplicitPolyDataDistance* distance);
+  int TurnsAbout(Index triangle, double y, double z) const;
+  std::vector<std::vector<Crossing>> Crossings() const;
+
+  const TriangleMesh& Mesh;
+  vtkNew<vtkImageData> Image;
+  float* Values = nullptr;
+  std::vector<bool> Known;
+  std::array<int, 3> Size = {};
+  Point Origin;
+  double Step = 1.0;
+};
+
+Grid::Box Grid::Around(Index triangle, int steps) const
+{
+  Point lowest = this->Corner(triangle, 0);
+  Point highest = lowest;
+  for (int corner = 1; corner < 3; ++corner)
+  {
+    lowest = lowest.cwiseMin(this->Corner(triangle, corner));
+    highest = highest.cwiseMax(this->Corner(triangle, corner));
+  }
+  Box box{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto i = static_cast<Index>(axis);
+    const double first = std::floor((lowest[i] - this->Origin[i]) / this->Step);
+    const double last = std::ceil((highest[i] - this->Origin[i]) / this->Step);
+    box.First[axis] = std::max(0, static_cast<int>(first) - steps);
+    box.Last[axis] = std::min(this->Size[axis] - 1, static_cast<int>(last) + steps);
+  }
+  return box;
+}
+
+void Grid::ComputeAround(Index triangle, vtkImplicitPolyDataDistance* distance)
+{
+  const Box box = this->Around(triangle, Band - 1);
+  const Point corner = this->Corner(triangle, 0);
+  const Point normal = this->Normal(triangle).normalized(); // 0 without area: is near everything
+  for (int z = box.First[2]; z <= box.Last[2]; ++z)
+  {
+    for (int y = box.First[1]; y <= box.Last[1]; ++y)
+    {
+      for (int x = box.First[0]; x <= box.Last[0]; ++x)
+      {
+        const std::size_t number = this->Number(x, y, z);
+        Point point = this->At(x, y, z);
+        // Large triangles fill a small part of their boxes.
+        if (!this->Known[number] && std::abs(normal.dot(point - corner)) <= 2.0 * Band * this->Step)
+        {
+          this->Known[number] = true;
+          this->Values[number] =
+            static_cast<float>(std::abs(distance->EvaluateFunction(point.data())));
+        }
+      }
+    }
+  }
+}
+
+void Grid::ComputeDistances(const Progress& progress)
+{
+  this->Known.assign(static_cast<std::size_t>(this->Image->GetNumberOfPoints()), false);
+  vtkNew<vtkImplicitPolyDataDistance> distance;
+  distance->SetInput(ToPolyData(this->Mesh, false));
+  const Index triangles = this->Mesh.NumberOfTriangles();
+  for (Index t = 0; t < triangles; ++t)
+  {
+    this->ComputeAround(t, distance);
+    if (t % 256 == 0)
+    {
+      progress.Report(static_cast<double>(t) / static_cast<double>(triangles));
+    }
+  }
+}
+
+// How often the triangle, seen along x, goes around the point (y, z). Of triangles with a common edge,
+// one counts a point on it: ends are half open, and both compute the same place on the edge.
+int Grid::TurnsAbout(Index triangle, double y, double z) const
+{
+  int turns = 0;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    Index from = this->Mesh.Triangles(triangle, corner);
+    Index to = this->Mesh.Triangles(triangle, (corner + 1) % 3);
+    const int upwards = this->Mesh.Points(from, 2) <= z ? 1 : -1;
+    if ((this->Mesh.Points(from, 2) <= z) == (this->Mesh.Points(to, 2) <= z))
+    {
+      continue;
+    }
+    if (to < from)
+    {
+      std::swap(from, to);
+    }
+    const Point a = this->Mesh.Points.row(from);
+    const Point b = this->Mesh.Points.row(to);
+    const double meets = a[1] + (z - a[2]) / (b[2] - a[2]) * (b[1] - a[1]);
+    turns += meets > y ? upwards : 0;
+  }
+  return turns;
+}
+
+std::vector<std::vector<Crossing>> Grid::Crossings() const
+{
+  std::vector<std::vector<Crossing>> rows(this->Row(0, this->Size[2]));
+  for (Index t = 0; t < this->Mesh.NumberOfTriangles(); ++t)
+  {
+    const Box box = this->Around(t, 0);
+    const Point normal = this->Normal(t);
+    const Point corner = this->Corner(t, 0);
+    for (int z = box.First[2]; z <= box.Last[2]; ++z)
+    {
+      for (int y = box.First[1]; y <= box.Last[1]; ++y)
+      {
+        const Point line = this->At(0, y, z);
+        const int turns = this->TurnsAbout(t, line[1], line[2]);
+        if (turns != 0)
+        {
+          const double rise = normal[1] * (line[1] - corner[1]) + normal[2] * (line[2] - corner[2]);
+          rows[this->Row(y, z)].push_back({ corner[0] - rise / normal[0], -turns });
+        }
+      }
+    }
+  }
+  return rows;
+}
+
+void Grid::TurnInsideNegative()
+{
+  std::vector<std::vector<Crossing>> rows = this->Crossings();
+  for (int z = 0; z < this->Size[2]; ++z)
+  {
+    for (int y = 0; y < this->Size[1]; ++y)
+    {
+      std::vector<Crossing>& row = rows[this->Row(y, z)];
+      std::sort(row.begin(), row.end(),
+        [](const Crossing& a, const Crossing& b) { return a.X < b.X; });
+      auto next = row.begin();
+      int winding = 0;
+      for (int x = 0; x < this->Size[0]; ++x)
+      {
+        for (; next != row.end() && next->X < this->At(x, y, z)[0]; ++next)
+        {
+          winding += next->Turns;
+        }
+        if (winding != 0)
+        {
+          this->Values[this->Number(x, y, z)] *= -1.0F;
+        }
+      }
+    }
+  }
+}
+
+} // namespace
+
+vtkSmartPointer<vtkImageData> SignedDistances(const TriangleMesh& oriented, int resolution,
+  const Progress& progress)
+{
+  Grid grid(oriented, resolution);
+  grid.ComputeDistances(progress);
+  grid.TurnInsideNegative();
+  return grid.GetImage();
+}
+
+} // namespace spectralwatermark
