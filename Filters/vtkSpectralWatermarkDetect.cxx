@@ -4,7 +4,7 @@
 #include "Core/Detection.h"
 #include "Core/Errors.h"
 #include "Core/SecretKey.h"
-#include "Core/SolidWatermark.h"
+#include "Core/SolidReader.h"
 #include "Private/CarrierTable.h"
 #include "Private/FilterRun.h"
 #include "Private/HarmonicsArrays.h"
@@ -91,7 +91,7 @@ void vtkSpectralWatermarkDetect::ReadSolid(vtkPolyData* input, vtkTable* table)
   const sw::Index bits =
     wanted.empty() ? this->GetNumberOfBits() : static_cast<sw::Index>(wanted.size());
   const sw::SolidReading reading =
-    sw::ReadSolid(mesh.Mesh, *key, bits, wanted, sw::ThreadsOfVtk(), sw::ProgressOf(this));
+    sw::ReadSolid(mesh.Mesh, *key, bits, sw::ThreadsOfVtk(), sw::ProgressOf(this));
 
   sw::FillCarriersTable(table, reading);
   this->ExtractedMessage = reading.Message;
@@ -100,7 +100,7 @@ void vtkSpectralWatermarkDetect::ReadSolid(vtkPolyData* input, vtkTable* table)
   if (!wanted.empty())
   {
     this->CountErrors(wanted);
-    this->PValue = reading.PValue;
+    this->PValue = sw::PValueOf(reading, sw::DataOf(wanted, *key, sw::CarriersOf(*key, bits)));
     this->Detected = this->PValue <= this->FalsePositiveRate ? 1 : 0;
   }
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GolayCode.h"
 
-#include <vector>
-
 namespace spectralwatermark
 {
 
@@ -32,45 +30,36 @@ std::uint32_t Encode(std::uint32_t data)
   return word | parity << (GolayCodeBits - 1);
 }
 
-const std::vector<std::uint32_t>& AllWords()
-{
-  static const std::vector<std::uint32_t> words = []()
-  {
-    std::vector<std::uint32_t> all;
-    for (std::uint32_t data = 0; data < Words; ++data)
-    {
-      all.push_back(Encode(data));
-    }
-    return all;
-  }();
-  return words;
-}
-
 } // namespace
 
 std::uint32_t GolayEncode(std::uint32_t data)
 {
-  return AllWords()[data % Words];
+  return Encode(data % Words);
 }
 
-std::uint32_t GolayDecode(const std::array<double, GolayCodeBits>& soft, double& score)
+const Eigen::MatrixXf& GolaySigns()
 {
-  std::uint32_t best = 0;
-  for (std::uint32_t data = 0; data < Words; ++data)
+  static const Eigen::MatrixXf signs = []()
   {
-    const std::uint32_t word = AllWords()[data];
-    double sum = 0.0;
-    for (std::size_t bit = 0; bit < soft.size(); ++bit)
+    Eigen::MatrixXf all(GolayCodeBits, Words);
+    for (std::uint32_t data = 0; data < Words; ++data)
     {
-      sum += (word >> bit & 1U) != 0 ? -soft[bit] : soft[bit];
+      const std::uint32_t word = Encode(data);
+      for (int bit = 0; bit < GolayCodeBits; ++bit)
+      {
+        all(bit, data) = (word >> bit & 1U) != 0 ? -1.0F : 1.0F;
+      }
     }
-    if (data == 0 || sum > score)
-    {
-      score = sum;
-      best = data;
-    }
-  }
-  return best;
+    return all;
+  }();
+  return signs;
+}
+
+std::uint32_t GolayDecode(const Eigen::RowVectorXf& soft, float& fit)
+{
+  Eigen::Index best = 0;
+  fit = (soft * GolaySigns()).maxCoeff(&best);
+  return static_cast<std::uint32_t>(best);
 }
 
 } // namespace spectralwatermark

@@ -7,7 +7,8 @@
 #ifndef SpectralWatermark_Core_GolayCode_h
 #define SpectralWatermark_Core_GolayCode_h
 
-#include <array>
+#include <Eigen/Core>
+
 #include <cstdint>
 
 namespace spectralwatermark
@@ -19,9 +20,12 @@ constexpr int GolayCodeBits = 24;
 /// The lowest 12 bits are the data's, the others the check's.
 std::uint32_t GolayEncode(std::uint32_t data);
 
-/// The data whose word fits best: the largest sum of `soft`, each taken positive where the word has
-/// a 0 and negative where it has a 1. Among equals the smallest data. `score` becomes that sum.
-std::uint32_t GolayDecode(const std::array<double, GolayCodeBits>& soft, double& score);
+/// All words, a column for each data: 1 for a 0 and -1 for a 1. Soft bits, positive where they say 0,
+/// times this are how well each word fits.
+const Eigen::MatrixXf& GolaySigns();
+
+/// The data whose word fits best, the smallest among equals; `fit` becomes how well.
+std::uint32_t GolayDecode(const Eigen::RowVectorXf& soft, float& fit);
 
 } // namespace spectralwatermark
 

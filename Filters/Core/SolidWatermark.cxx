@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SolidWatermark.h"
 
-#include "Attacks.h"
-#include "Detection.h"
 #include "Distortion.h"
 #include "Errors.h"
 #include "GolayCode.h"
-#include "Parallel.h"
 #include "SlotWatermark.h"
 #include "Solid.h"
+#include "SolidReader.h"
 
 #include <Eigen/Cholesky>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iomanip>
 #include <limits>
-#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -39,22 +35,10 @@ constexpr Index LeastCheckBits = 20;
 // transform, and what moves or turns the frame a little changes much; waves nearer to each other
 // than these volumes are too much alike on the surface.
 constexpr double InnerRadius = 3.0;
-constexpr double VolumePerWave = 90.0;
+constexpr double VolumePerWave = 220.0;
 constexpr Index CandidatesPerWave = 64;
 
-// Undone smoothings: 0, 5, ..., 60 iterations by the benchmark's factor.
-constexpr int SmoothingStride = 5;
-constexpr int NumberOfSmoothings = 13;
-constexpr double SmoothingFactor = 0.1;
-
-// How much undoing may add to the surface. What was smooth gains a little; noise soon grows over
-// everything.
-constexpr double MostArea = 2.0;
-
-// Skewness under which the signs of the axes are tried.
-constexpr double ClearSkewness = 0.05;
-
-constexpr double SmallestStep = 1e-3;
+constexpr double SmallestStep = 2.5e-4;
 constexpr double StepRatio = 1.189207115002721; // 2^(1/4)
 
 // Of a carrier, in steps: embedded well enough.
@@ -121,52 +105,6 @@ VectorXd Offsets(const std::string& code, const Carriers& carriers, double step)
     offsets[j] = step * ((bit ? 0.5 : 0.0) + carriers.Dither[j]);
   }
   return offsets;
-}
-
-VectorXd SoftBits(const VectorXd& values, const Carriers& carriers, double step)
-{
-  VectorXd soft(values.size());
-  for (Index j = 0; j < values.size(); ++j)
-  {
-    const double sign = carriers.Whitening[static_cast<std::size_t>(j)] == '1' ? -1.0 : 1.0;
-    soft[j] = sign * std::cos(2.0 * Pi * (values[j] / step - carriers.Dither[j]));
-  }
-  return soft;
-}
-
-std::string HardBits(const VectorXd& soft)
-{
-  std::string bits;
-  for (const double value : soft)
-  {
-    bits += value < 0.0 ? '1' : '0';
-  }
-  return bits;
-}
-
-// Bit i of block b sits in carrier i * blocks + b, so that what happens to some waves is spread over
-// all blocks.
-std::string Decode(const VectorXd& soft, double& score)
-{
-  const Index blocks = soft.size() / GolayCodeBits;
-  std::string data;
-  score = 0.0;
-  for (Index b = 0; b < blocks; ++b)
-  {
-    std::array<double, GolayCodeBits> word{};
-    for (Index i = 0; i < GolayCodeBits; ++i)
-    {
-      word[static_cast<std::size_t>(i)] = soft[i * blocks + b];
-    }
-    double fit = 0.0;
-    const std::uint32_t bits = GolayDecode(word, fit);
-    score += fit;
-    for (int i = 0; i < GolayDataBits; ++i)
-    {
-      data += (bits >> i & 1U) != 0 ? '1' : '0';
-    }
-  }
-  return data;
 }
 
 // The volume, its centre, and the second and third moments that the frame is made from: a
@@ -395,56 +333,11 @@ std::string Percent(double part)
   return text.str();
 }
 
-// Whether the reading fits better than the best so far.
-struct Judge
-{
-  const Carriers& Carrier;
-  std::string ExpectedCode; // empty: none
-
-  double Score(const SolidReading& reading) const
-  {
-    if (!this->ExpectedCode.empty())
-    {
-      return static_cast<double>(CountAgreements(reading.Code, this->ExpectedCode));
-    }
-    double score = 0.0;
-    Decode(reading.Soft, score);
-    return score;
-  }
-};
-
-// The best of all steps, for values that were measured in one way.
-SolidReading BestStep(const VectorXd& values, const Judge& judge, int threads, double& best)
-{
-  std::array<SolidReading, NumberOfSteps> readings;
-  std::array<double, NumberOfSteps> scores{};
-  ForEachTask(threads, NumberOfSteps,
-    [&](Index number)
-    {
-      const auto at = static_cast<std::size_t>(number);
-      SolidReading& reading = readings[at];
-      reading.Hypothesis.Step = static_cast<int>(number);
-      reading.Soft = SoftBits(values, judge.Carrier, StepOfNumber(static_cast<int>(number)));
-      reading.Code = HardBits(reading.Soft);
-      scores[at] = judge.Score(reading);
-    });
-  const auto at = std::max_element(scores.begin(), scores.end()) - scores.begin();
-  best = scores[static_cast<std::size_t>(at)];
-  SolidReading reading = readings[static_cast<std::size_t>(at)];
-  reading.Values = values;
-  return reading;
-}
-
 } // namespace
 
 double StepOfNumber(int number)
 {
   return SmallestStep * std::pow(StepRatio, number);
-}
-
-Index NumberOfHypotheses()
-{
-  return static_cast<Index>(NumberOfSmoothings) * NumberOfTurns * NumberOfSteps;
 }
 
 Carriers CarriersOf(const SecretKey& key, Index messageBits)
@@ -466,22 +359,26 @@ Carriers CarriersOf(const SecretKey& key, Index messageBits)
   return carriers;
 }
 
-std::string Encode(const std::string& message, const SecretKey& key, const Carriers& carriers)
+std::string DataOf(const std::string& message, const SecretKey& key, const Carriers& carriers)
 {
-  const std::string data = message + key.Check(message, carriers.CheckBits);
-  const Index blocks = carriers.Count() / GolayCodeBits;
-  std::string code(static_cast<std::size_t>(carriers.Count()), '0');
-  for (Index b = 0; b < blocks; ++b)
+  return message + key.Check(message, carriers.CheckBits);
+}
+
+std::string CodeOf(const std::string& data)
+{
+  const std::size_t words = data.size() / GolayDataBits;
+  std::string code(words * GolayCodeBits, '0');
+  for (std::size_t w = 0; w < words; ++w)
   {
     std::uint32_t bits = 0;
-    for (int i = 0; i < GolayDataBits; ++i)
+    for (std::size_t i = 0; i < GolayDataBits; ++i)
     {
-      bits |= (data[static_cast<std::size_t>(GolayDataBits * b + i)] == '1' ? 1U : 0U) << i;
+      bits |= (data[GolayDataBits * w + i] == '1' ? 1U : 0U) << i;
     }
     const std::uint32_t word = GolayEncode(bits);
-    for (int i = 0; i < GolayCodeBits; ++i)
+    for (std::size_t i = 0; i < GolayCodeBits; ++i)
     {
-      code[static_cast<std::size_t>(i * blocks + b)] = (word >> i & 1U) != 0 ? '1' : '0';
+      code[i * words + w] = (word >> i & 1U) != 0 ? '1' : '0';
     }
   }
   return code;
@@ -493,7 +390,7 @@ SolidEmbeddingResult EmbedInSolid(const TriangleMesh& mesh, const SecretKey& key
   CheckMessage(options.Message);
   const auto bits = static_cast<Index>(options.Message.size());
   const Carriers carriers = CarriersOf(key, bits);
-  const std::string code = Encode(options.Message, key, carriers);
+  const std::string code = CodeOf(DataOf(options.Message, key, carriers));
   const TriangleMesh oriented = Oriented(mesh);
   const Embedding embedding(oriented, carriers, options.Threads);
   const View view(oriented);
@@ -525,66 +422,11 @@ SolidEmbeddingResult EmbedInSolid(const TriangleMesh& mesh, const SecretKey& key
   TriangleMesh marked = mesh;
   marked.Points = result.Points;
   const SolidReading reading =
-    ReadSolid(marked, key, bits, "", options.Threads, progress.Part(0.55, 1.0));
+    ReadSolid(marked, key, bits, options.Threads, progress.Part(0.55, 1.0));
   result.ExtractedMessage = reading.Message;
   result.Converged = reading.IsValid && reading.Message == options.Message &&
     result.Distortion <= options.MaximumDistortion;
   return result;
-}
-
-SolidReading ReadSolid(const TriangleMesh& mesh, const SecretKey& key, Index messageBits,
-  const std::string& expected, int threads, const Progress& progress)
-{
-  const Carriers carriers = CarriersOf(key, messageBits);
-  const Judge judge{ carriers, expected.empty() ? "" : Encode(expected, key, carriers) };
-  TriangleMesh sharper = Oriented(mesh);
-  const UmbrellaSmoothing smoothing(sharper);
-  const double area = VertexAreas(sharper).sum();
-  const SolidFrame first = FrameOf(sharper);
-  const int turns = first.Clearness < ClearSkewness ? NumberOfTurns : 1;
-  SolidReading best;
-  double bestScore = -std::numeric_limits<double>::infinity();
-  for (int level = 0; level < NumberOfSmoothings; ++level)
-  {
-    for (int k = 0; level > 0 && k < SmoothingStride; ++k)
-    {
-      sharper.Points = smoothing.Apply(sharper.Points, -SmoothingFactor);
-    }
-    const std::optional<SolidFrame> frame = FrameIfAny(sharper);
-    if (!frame || !(VertexAreas(sharper).sum() < MostArea * area))
-    {
-      break; // noise has grown over everything
-    }
-    for (int turn = 0; turn < turns; ++turn)
-    {
-      const View view(sharper, Turned(*frame, turn));
-      double score = 0.0;
-      SolidReading reading =
-        BestStep(SolidSpectrum(view.Mesh, carriers.Waves, threads), judge, threads, score);
-      if (score > bestScore)
-      {
-        bestScore = score;
-        best = std::move(reading);
-        best.Hypothesis.Smoothing = level * SmoothingStride;
-        best.Hypothesis.Turn = turn;
-      }
-      progress.Report(static_cast<double>(level * turns + turn + 1) / (NumberOfSmoothings * turns));
-    }
-  }
-  double score = 0.0;
-  const std::string data = Decode(best.Soft, score);
-  best.Message = data.substr(0, static_cast<std::size_t>(messageBits));
-  best.IsValid = data.substr(static_cast<std::size_t>(messageBits)) ==
-    key.Check(best.Message, carriers.CheckBits);
-  if (!expected.empty())
-  {
-    best.Agreements = CountAgreements(best.Code, judge.ExpectedCode);
-    best.PValue = std::min(1.0,
-      static_cast<double>(NumberOfHypotheses()) *
-        AgreementPValue(best.Code, judge.ExpectedCode, UnmarkedModel()));
-  }
-  progress.Report(1.0);
-  return best;
 }
 
 } // namespace spectralwatermark

@@ -12,7 +12,7 @@
 /// of the key, independent of all others, whatever the mesh.
 ///
 /// The message is followed by a check derived from it and the secret, and both are protected by the
-/// extended Golay code.
+/// extended Golay code. SolidReader.h reads them.
 #ifndef SpectralWatermark_Core_SolidWatermark_h
 #define SpectralWatermark_Core_SolidWatermark_h
 
@@ -42,12 +42,16 @@ struct Carriers
 Carriers CarriersOf(const SecretKey& key, Index messageBits);
 constexpr Index LargestMessage = 1024;
 
-/// What the carriers hold for a message.
-std::string Encode(const std::string& message, const SecretKey& key, const Carriers& carriers);
+/// The message and its check: what the code protects.
+std::string DataOf(const std::string& message, const SecretKey& key, const Carriers& carriers);
+
+/// What the carriers hold for data, 12 bits of it a word. Bit i of word b sits in carrier i * words + b,
+/// so that what happens to some waves is spread over all words.
+std::string CodeOf(const std::string& data);
 
 /// Steps that carriers are quantised with, in units of (scale of the frame)^3: a geometric series,
 /// so that a reader can try them all.
-constexpr int NumberOfSteps = 32;
+constexpr int NumberOfSteps = 40;
 double StepOfNumber(int number);
 
 struct SolidEmbeddingOptions
@@ -79,34 +83,6 @@ struct SolidEmbeddingResult
 /// Throws InvalidInput when the message does not fit the budget; says what would.
 SolidEmbeddingResult EmbedInSolid(const TriangleMesh& mesh, const SecretKey& key,
   const SolidEmbeddingOptions& options, const Progress& progress);
-
-/// One way to read a mesh.
-struct SolidHypothesis
-{
-  int Smoothing = 0; ///< iterations of the benchmark's smoothing that are undone first
-  int Turn = 0;      ///< of the frame
-  int Step = 0;      ///< number of the step
-};
-
-struct SolidReading
-{
-  SolidHypothesis Hypothesis;
-  Eigen::VectorXd Values; ///< of the carriers
-  Eigen::VectorXd Soft;   ///< from 1 (surely 0) to -1 (surely 1), whitening removed
-  std::string Code;       ///< hard decisions
-  std::string Message;
-  bool IsValid = false; ///< the check holds
-  Index Agreements = 0; ///< of Code with what is expected, if anything is
-  double PValue = 1.0;  ///< an upper bound that counts all that was tried; 1 without
-};
-
-/// Reads with every hypothesis, and returns the one that agrees best with `expected`, or, when that
-/// is empty, fits the code best. `expected` has the carriers' number of message bits.
-SolidReading ReadSolid(const TriangleMesh& mesh, const SecretKey& key, Index messageBits,
-  const std::string& expected, int threads, const Progress& progress);
-
-/// How many hypotheses ReadSolid() tries.
-Index NumberOfHypotheses();
 
 } // namespace spectralwatermark
 

@@ -38,7 +38,7 @@ void FillRoundsTable(vtkTable* table, const std::vector<SolidEmbeddingRound>& ro
 
 void FillCarriersTable(vtkTable* table, const SolidReading& reading)
 {
-  const std::size_t rows = reading.Code.size();
+  const auto rows = static_cast<std::size_t>(reading.Soft.size());
   AddColumn<vtkIntArray>(table, "Carrier", rows,
     [](std::size_t k) { return static_cast<int>(k) + 1; });
   AddColumn<vtkDoubleArray>(table, "Value", rows,
@@ -46,7 +46,7 @@ void FillCarriersTable(vtkTable* table, const SolidReading& reading)
   AddColumn<vtkDoubleArray>(table, "Margin", rows,
     [&reading](std::size_t k) { return -reading.Soft[static_cast<Index>(k)]; });
   AddColumn<vtkIntArray>(table, "Bit", rows,
-    [&reading](std::size_t k) { return reading.Code[k] - '0'; });
+    [&reading](std::size_t k) { return reading.Soft[static_cast<Index>(k)] < 0.0 ? 1 : 0; });
 }
 
 } // namespace spectralwatermark

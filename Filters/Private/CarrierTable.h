@@ -3,7 +3,7 @@
 #ifndef SpectralWatermark_Private_CarrierTable_h
 #define SpectralWatermark_Private_CarrierTable_h
 
-#include "Core/SolidWatermark.h"
+#include "Core/SolidReader.h"
 
 class vtkTable;
 

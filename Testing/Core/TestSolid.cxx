@@ -192,33 +192,30 @@ TEST(GolayCode, MendsThreeWrongBitsAndMoreWhenTheyAreWeak)
 {
   for (const std::uint32_t data : { 0U, 1U, 0xabcU, 0xfffU })
   {
-    std::array<double, GolayCodeBits> right{};
-    for (std::size_t bit = 0; bit < right.size(); ++bit)
+    const Eigen::RowVectorXf right = GolaySigns().col(data).transpose();
+    for (Index bit = 0; bit < right.size(); ++bit)
     {
-      right[bit] = (GolayEncode(data) >> bit & 1U) != 0 ? -1.0 : 1.0;
+      EXPECT_EQ(right[bit], (GolayEncode(data) >> bit & 1U) != 0 ? -1.0F : 1.0F);
     }
-    double score = 0.0;
+    float score = 0.0F;
     EXPECT_EQ(GolayDecode(right, score), data);
-    EXPECT_NEAR(score, 24.0, 1e-12);
-    for (std::size_t a = 0; a < right.size(); ++a)
+    EXPECT_EQ(score, 24.0F);
+    for (Index a = 0; a < right.size(); ++a)
     {
-      for (std::size_t b = 0; b < a; ++b)
+      for (Index b = 0; b < a; ++b)
       {
-        for (std::size_t c = 0; c < b; ++c)
+        for (Index c = 0; c < b; ++c)
         {
-          std::array<double, GolayCodeBits> wrong = right;
-          wrong[a] *= -1.0;
-          wrong[b] *= -1.0;
-          wrong[c] *= -1.0;
+          Eigen::RowVectorXf wrong = right;
+          wrong[a] *= -1.0F;
+          wrong[b] *= -1.0F;
+          wrong[c] *= -1.0F;
           ASSERT_EQ(GolayDecode(wrong, score), data);
         }
       }
     }
-    std::array<double, GolayCodeBits> weak = right;
-    for (std::size_t bit = 0; bit < 6; ++bit) // six wrong, but weakly
-    {
-      weak[bit] *= -0.1;
-    }
+    Eigen::RowVectorXf weak = right;
+    weak.head(6) *= -0.1F; // six wrong, but weakly
     EXPECT_EQ(GolayDecode(weak, score), data);
   }
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Attacks.h"
+#include "Core/Detection.h"
 #include "Core/Errors.h"
+#include "Core/FrameAlignment.h"
 #include "Core/Solid.h"
-#include "Core/SolidWatermark.h"
+#include "Core/SolidReader.h"
 #include "Support/Shapes.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,6 +41,12 @@ TriangleMesh With(TriangleMesh mesh, const TriangleMesh::PointMatrix& points)
 {
   mesh.Points = points;
   return mesh;
+}
+
+double PValueWith(const TriangleMesh& mesh, const SecretKey& key)
+{
+  return PValueOf(ReadSolid(mesh, key, 16, 2, Progress()),
+    DataOf(Message, key, CarriersOf(key, 16)));
 }
 
 } // namespace
@@ -91,14 +100,14 @@ TEST(SolidWatermark, EmbedsWithinItsBudgetAndReadsBackBlind)
     (mesh.Points.colwise().maxCoeff() - mesh.Points.colwise().minCoeff()).norm();
   EXPECT_NEAR(std::sqrt(square) / diagonal, result.Distortion, 1e-12);
 
-  const SolidReading reading =
-    ReadSolid(With(mesh, result.Points), key, 16, Message, 2, Progress());
+  const SolidReading reading = ReadSolid(With(mesh, result.Points), key, 16, 2, Progress());
   EXPECT_TRUE(reading.IsValid);
   EXPECT_EQ(reading.Message, Message);
-  EXPECT_EQ(reading.Agreements, reading.Soft.size());
-  EXPECT_NEAR(reading.PValue,
-    static_cast<double>(NumberOfHypotheses()) * std::pow(0.5, reading.Soft.size()),
-    1e-3 * reading.PValue);
+  EXPECT_GT(reading.Fit, 0.99);
+  const std::string data = DataOf(Message, key, CarriersOf(key, 16));
+  EXPECT_EQ(reading.Data, data);
+  EXPECT_EQ(data.size(), 36u); // three words
+  EXPECT_NEAR(PValueOf(reading, data), std::pow(0.5, 36), 1e-15);
   EXPECT_EQ(reading.Hypothesis.Smoothing, 0);
 }
 
@@ -109,12 +118,11 @@ TEST(SolidWatermark, OnlyItsKeyReadsIt)
   const TriangleMesh marked = With(mesh, Marked(mesh, key).Points);
   for (const char* other : { "Secret", "secret ", "x" })
   {
-    const SolidReading reading = ReadSolid(marked, SecretKey(other), 16, Message, 2, Progress());
-    EXPECT_FALSE(reading.IsValid);
-    EXPECT_GT(reading.PValue, 1e-3);
+    EXPECT_FALSE(ReadSolid(marked, SecretKey(other), 16, 2, Progress()).IsValid);
+    EXPECT_GT(PValueWith(marked, SecretKey(other)), 1e-3);
   }
-  EXPECT_FALSE(ReadSolid(mesh, key, 16, "", 2, Progress()).IsValid);
-  EXPECT_GT(ReadSolid(mesh, key, 16, Message, 2, Progress()).PValue, 1e-3);
+  EXPECT_FALSE(ReadSolid(mesh, key, 16, 2, Progress()).IsValid);
+  EXPECT_GT(PValueWith(mesh, key), 1e-3);
 }
 
 TEST(SolidWatermark, SurvivesWhatLeavesTheSolid)
@@ -124,7 +132,7 @@ TEST(SolidWatermark, SurvivesWhatLeavesTheSolid)
   const TriangleMesh marked = With(mesh, Marked(mesh, key).Points);
   const auto expectRead = [&](const char* what, const TriangleMesh& attacked)
   {
-    const SolidReading reading = ReadSolid(attacked, key, 16, "", 2, Progress());
+    const SolidReading reading = ReadSolid(attacked, key, 16, 2, Progress());
     EXPECT_TRUE(reading.IsValid) << what;
     EXPECT_EQ(reading.Message, Message) << what;
   };
@@ -151,8 +159,8 @@ TEST(SolidWatermark, UndoesSmoothing)
   for (const int iterations : { 10, 30 })
   {
     const SolidReading reading =
-      ReadSolid(With(marked, LaplacianSmoothing(marked, 0.1, iterations, Progress())), key, 16, "",
-        2, Progress());
+      ReadSolid(With(marked, LaplacianSmoothing(marked, 0.1, iterations, Progress())), key, 16, 2,
+        Progress());
     EXPECT_TRUE(reading.IsValid);
     EXPECT_EQ(reading.Message, Message);
     EXPECT_NEAR(reading.Hypothesis.Smoothing, iterations, 5);
@@ -196,7 +204,7 @@ TEST(SolidWatermark, BitsOfUnmarkedMeshesAreFairCoins)
   {
     const SecretKey key("key " + std::to_string(k));
     const Carriers carriers = CarriersOf(key, 4); // 48 carriers
-    const std::string code = Encode("1010", key, carriers);
+    const std::string code = CodeOf(DataOf("1010", key, carriers));
     const Eigen::VectorXd values = SolidSpectrum(inFrame, carriers.Waves, 1);
     count = static_cast<double>(carriers.Count());
     double agree = 0.0;
@@ -216,18 +224,113 @@ TEST(SolidWatermark, BitsOfUnmarkedMeshesAreFairCoins)
   EXPECT_NEAR(variance, 0.25 * count, 5.0 * 0.25 * count * std::sqrt(2.0 / keys));
 }
 
-// P(p <= alpha) <= alpha, counting everything that a reading tries.
-TEST(SolidWatermark, PValuesOfUnmarkedMeshesKeepTheirPromise)
+// A frame that is a little off, in every way at once, is found again where nothing else is left.
+TEST(FrameAlignment, FindsTheFrame)
 {
-  constexpr int trials = 100;
+  const SecretKey key("secret");
+  const std::string message = key.Message(64);
+  const Carriers carriers = CarriersOf(key, 64);
+  const TriangleMesh mesh = Host(4);
+  TriangleMesh marked = With(mesh, Marked(mesh, key, message).Points);
+  const double step = StepOfNumber(ReadSolid(marked, key, 64, 2, Progress()).Hypothesis.Step);
+  marked.Points = FrameOf(marked).ToFrame(marked.Points);
+  const Eigen::MatrixXd response = FrameResponse(marked, carriers, 2);
+  const Eigen::VectorXd values = SolidSpectrum(marked, carriers.Waves, 2);
+  Eigen::VectorXd off(7); // in steps, of the carriers' root mean square
+  off << 0.12, -0.06, 0.1, 0.05, -0.1, 0.06, 0.2;
+  const Eigen::VectorXd moved = values + step * response * off;
+  double fit = 0.0;
+  EXPECT_NE(Decode(SoftBits(moved, carriers, step), fit), DataOf(message, key, carriers));
+  EXPECT_LT(fit, 0.6);
+  const auto& [aligned, cost] = Align(moved, response, carriers, step);
+  EXPECT_NEAR(cost, 0.2 * off.squaredNorm(), 0.005);
+  EXPECT_LT((aligned - values).cwiseAbs().maxCoeff(), 0.03 * step);
+  EXPECT_EQ(Decode(SoftBits(aligned, carriers, step), fit), DataOf(message, key, carriers));
+  EXPECT_GT(fit, 0.98);
+}
+
+// The response is the derivative of what moving, turning and scaling the solid does, each in its
+// column, at a size of 1.
+TEST(FrameAlignment, ResponseIsTheDerivative)
+{
+  TriangleMesh mesh = Host(3);
+  const Carriers carriers = CarriersOf(SecretKey("secret"), 16);
+  const Eigen::MatrixXd response = FrameResponse(mesh, carriers, 2);
+  ASSERT_EQ(response.rows(), carriers.Count());
+  ASSERT_EQ(response.cols(), 7);
+  const Eigen::VectorXd values = SolidSpectrum(mesh, carriers.Waves, 2);
+  const double small = 1e-4;
+  const Eigen::Vector3d axes[3] = { Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
+    Eigen::Vector3d::UnitZ() };
+  for (Index freedom = 0; freedom < 7; ++freedom)
+  {
+    TriangleMesh moved = mesh;
+    if (freedom < 3)
+    {
+      moved.Points.col(freedom).array() += small;
+    }
+    else if (freedom < 6)
+    {
+      const Eigen::Matrix3d turn = Eigen::AngleAxisd(small, axes[freedom - 3]).toRotationMatrix();
+      moved.Points = mesh.Points * turn.transpose();
+    }
+    else
+    {
+      moved.Points *= 1.0 + small;
+    }
+    const Eigen::VectorXd change = SolidSpectrum(moved, carriers.Waves, 2) - values;
+    const double along = std::abs(change.normalized().dot(response.col(freedom).normalized()));
+    EXPECT_GT(along, 0.9999) << freedom;
+    EXPECT_NEAR(response.col(freedom).squaredNorm(), static_cast<double>(carriers.Count()), 1e-6);
+  }
+}
+
+// What a mesh without the mark reads is uniform over all data, whatever was tried to read it: the bits
+// that agree with what is expected are binomial, and P(p <= alpha) <= alpha.
+TEST(SolidReader, UnmarkedMeshesAgreeBinomially)
+{
+  constexpr int keys = 30;
+  constexpr int messagesOfAKey = 40;
   const TriangleMesh mesh = Host(1);
+  constexpr int bits = 24; // of data, with a message of 4
+  std::vector<double> counts(bits + 1, 0.0);
   int below = 0;
-  for (int k = 0; k < trials; ++k)
+  for (int k = 0; k < keys; ++k)
   {
     const SecretKey key("trial " + std::to_string(k));
-    below += ReadSolid(mesh, key, 4, "0110", 1, Progress()).PValue <= 0.1 ? 1 : 0;
+    const SolidReading reading = ReadSolid(mesh, key, 4, 2, Progress());
+    ASSERT_EQ(reading.Data.size(), static_cast<std::size_t>(bits));
+    const std::string expected =
+      SecretKey("message " + std::to_string(k)).Message(messagesOfAKey * bits);
+    for (int m = 0; m < messagesOfAKey; ++m)
+    {
+      const std::string data = expected.substr(static_cast<std::size_t>(m * bits), bits);
+      ++counts[static_cast<std::size_t>(CountAgreements(reading.Data, data))];
+      below += PValueOf(reading, data) <= 0.05 ? 1 : 0;
+    }
   }
-  EXPECT_LE(below, 0.1 * trials + 4.0 * std::sqrt(0.09 * trials));
+  constexpr int trials = keys * messagesOfAKey;
+  double chance = std::pow(0.5, bits);
+  double chiSquare = 0.0;
+  double rest = trials;
+  double restSeen = trials;
+  int cells = 0;
+  for (int agreements = 0; agreements <= bits; ++agreements)
+  {
+    const double mean = trials * chance;
+    if (mean >= 5.0)
+    {
+      const double seen = counts[static_cast<std::size_t>(agreements)];
+      chiSquare += (seen - mean) * (seen - mean) / mean;
+      rest -= mean;
+      restSeen -= seen;
+      ++cells;
+    }
+    chance *= static_cast<double>(bits - agreements) / (agreements + 1);
+  }
+  chiSquare += (restSeen - rest) * (restSeen - rest) / rest;
+  EXPECT_LT(chiSquare, cells + 5.0 * std::sqrt(2.0 * cells));
+  EXPECT_LE(below, 0.05 * trials + 4.0 * std::sqrt(0.0475 * trials));
 }
 
 TEST(SolidWatermark, IsTheSameForAnyNumberOfThreads)

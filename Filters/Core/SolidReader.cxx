@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SolidReader.h"
+
+#include "Attacks.h"
+#include "Detection.h"
+#include "FrameAlignment.h"
+#include "Parallel.h"
+#include "Solid.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace spectralwatermark
+{
+
+namespace
+{
+
+using Eigen::VectorXd;
+
+// Undone smoothings: 0, 5, ..., 60 iterations by the benchmark's factor.
+constexpr int SmoothingStride = 5;
+constexpr int NumberOfSmoothings = 13;
+constexpr double SmoothingFactor = 0.1;
+
+// How much undoing may add to the surface. What was smooth gains a little; noise soon grows over
+// everything.
+constexpr double MostArea = 2.0;
+
+// Skewness under which the signs of the axes are tried.
+constexpr double ClearSkewness = 0.05;
+
+// A mesh without the mark fits the code by about a half, and never as well as this: no need to try
+// anything else.
+constexpr double ClearFit = 0.8;
+
+// Of the work, for progress: the rest is alignment.
+constexpr double LooksPart = 0.7;
+
+// Sees the mesh in all ways that are to be tried, and keeps the reading that fits best.
+class Reader
+{
+public:
+  Reader(const TriangleMesh& mesh, const Carriers& carriers, int threads)
+    : Mesh(Oriented(mesh))
+    , Carrier(carriers)
+    , Threads(threads)
+    , Turns(FrameOf(this->Mesh).Clearness < ClearSkewness ? NumberOfTurns : 1)
+  {
+  }
+
+  SolidReading Run(const Progress& progress)
+  {
+    this->TryEverySmoothing(progress.Part(0.0, LooksPart));
+    if (this->Best.Fit < ClearFit)
+    {
+      this->AlignFrames(progress.Part(LooksPart, 1.0));
+    }
+    progress.Report(1.0);
+    return this->Best;
+  }
+
+private:
+  // The mesh in a frame.
+  static TriangleMesh Seen(const TriangleMesh& mesh, const SolidFrame& frame)
+  {
+    TriangleMesh seen = mesh;
+    seen.Points = frame.ToFrame(mesh.Points);
+    return seen;
+  }
+
+  SolidReading ReadingOf(const SolidHypothesis& hypothesis, const Alignment& aligned) const
+  {
+    SolidReading reading;
+    reading.Hypothesis = hypothesis;
+    reading.Values = aligned.Values;
+    reading.Soft = SoftBits(aligned.Values, this->Carrier, StepOfNumber(hypothesis.Step));
+    reading.Data = Decode(reading.Soft, reading.Fit);
+    reading.Fit -= aligned.Cost;
+    return reading;
+  }
+
+  // The best of all steps; `alignedFor` the step's number.
+  template <typename Function>
+  SolidReading BestStep(SolidHypothesis hypothesis, const Function& alignedFor) const
+  {
+    std::vector<SolidReading> readings(NumberOfSteps);
+    ForEachTask(this->Threads, NumberOfSteps,
+      [&](Index number)
+      {
+        SolidHypothesis tried = hypothesis;
+        tried.Step = static_cast<int>(number);
+        readings[static_cast<std::size_t>(number)] = this->ReadingOf(tried, alignedFor(tried.Step));
+      });
+    return *std::max_element(readings.begin(), readings.end(),
+      [](const SolidReading& a, const SolidReading& b) { return a.Fit < b.Fit; });
+  }
+
+  void Keep(SolidReading reading)
+  {
+    if (reading.Fit > this->Best.Fit)
+    {
+      this->Best = std::move(reading);
+    }
+  }
+
+  void TryEverySmoothing(const Progress& progress);
+  void AlignFrames(const Progress& progress);
+
+  TriangleMesh Mesh;
+  const Carriers& Carrier;
+  int Threads;
+  int Turns;
+  SolidReading Best;
+  TriangleMesh SeenBest; // the mesh as the best reading saw it
+};
+
+void Reader::TryEverySmoothing(const Progress& progress)
+{
+  const UmbrellaSmoothing smoothing(this->Mesh);
+  const double area = VertexAreas(this->Mesh).sum();
+  TriangleMesh sharper = this->Mesh;
+  for (int level = 0; level < NumberOfSmoothings && this->Best.Fit < ClearFit; ++level)
+  {
+    for (int k = 0; level > 0 && k < SmoothingStride; ++k)
+    {
+      sharper.Points = smoothing.Apply(sharper.Points, -SmoothingFactor);
+    }
+    const std::optional<SolidFrame> frame = FrameIfAny(sharper);
+    if (!frame || !(VertexAreas(sharper).sum() < MostArea * area))
+    {
+      return; // noise has grown over everything
+    }
+    for (int turn = 0; turn < this->Turns; ++turn)
+    {
+      TriangleMesh seen = Seen(sharper, Turned(*frame, turn));
+      const VectorXd values = SolidSpectrum(seen, this->Carrier.Waves, this->Threads);
+      SolidReading reading = this->BestStep({ level * SmoothingStride, turn, 0 },
+        [&values](int /*step*/) {
+          return Alignment{ values, 0.0 };
+        });
+      if (reading.Fit > this->Best.Fit)
+      {
+        this->Best = std::move(reading);
+        this->SeenBest = std::move(seen);
+      }
+      progress.Report(
+        static_cast<double>(level * this->Turns + turn + 1) / (NumberOfSmoothings * this->Turns));
+    }
+  }
+}
+
+// Of the mesh as it is with every step, and of what fits best so far.
+void Reader::AlignFrames(const Progress& progress)
+{
+  const SolidFrame frame = FrameOf(this->Mesh);
+  const SolidReading plain = this->Best;
+  const Eigen::MatrixXd response = FrameResponse(this->SeenBest, this->Carrier, this->Threads);
+  this->Keep(this->ReadingOf(plain.Hypothesis,
+    Align(plain.Values, response, this->Carrier, StepOfNumber(plain.Hypothesis.Step))));
+  for (int turn = 0; turn < this->Turns; ++turn)
+  {
+    progress.Report((turn + 1.0) / (this->Turns + 1.0));
+    const TriangleMesh seen = Seen(this->Mesh, Turned(frame, turn));
+    const VectorXd values = SolidSpectrum(seen, this->Carrier.Waves, this->Threads);
+    const Eigen::MatrixXd turned = FrameResponse(seen, this->Carrier, this->Threads);
+    this->Keep(this->BestStep({ 0, turn, 0 },
+      [&](int step) { return Align(values, turned, this->Carrier, StepOfNumber(step)); }));
+  }
+}
+
+} // namespace
+
+SolidReading ReadSolid(const TriangleMesh& mesh, const SecretKey& key, Index messageBits,
+  int threads, const Progress& progress)
+{
+  const Carriers carriers = CarriersOf(key, messageBits);
+  SolidReading reading = Reader(mesh, carriers, threads).Run(progress);
+  reading.Message = reading.Data.substr(0, static_cast<std::size_t>(messageBits));
+  reading.IsValid = reading.Data == DataOf(reading.Message, key, carriers);
+  return reading;
+}
+
+double PValueOf(const SolidReading& reading, const std::string& expectedData)
+{
+  return AgreementPValue(reading.Data, expectedData, UnmarkedModel());
+}
+
+} // namespace spectralwatermark
