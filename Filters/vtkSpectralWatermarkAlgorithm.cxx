@@ -137,14 +137,21 @@ std::unique_ptr<sw::SecretKey> vtkSpectralWatermarkAlgorithm::ReadSecretKey() co
     sw::Wipe(secret);
     return key;
   }
-  return this->SecretKey.empty() ? nullptr : std::make_unique<sw::SecretKey>(this->SecretKey);
+  if (this->SecretKey.empty())
+  {
+    return nullptr;
+  }
+  return std::make_unique<sw::SecretKey>(this->SecretKey);
 }
 
 std::unique_ptr<sw::SecretKey> vtkSpectralWatermarkAlgorithm::ReadRobustKey() const
 {
   constexpr char publicKey[] = "SpectralWatermark: a mark for everyone to read";
-  std::unique_ptr<sw::SecretKey> key = this->ReadSecretKey();
-  return key ? std::move(key) : std::make_unique<sw::SecretKey>(publicKey);
+  if (this->GetHasSecretKey() != 0)
+  {
+    return this->ReadSecretKey();
+  }
+  return std::make_unique<sw::SecretKey>(publicKey);
 }
 
 void vtkSpectralWatermarkAlgorithm::CheckScheme() const
