@@ -17,19 +17,20 @@
  * mesh carries a mark, by the likelihoods of SetDetector()).
  *
  * Scheme Robust: reads the carriers in the solid's own frame, trying the steps that they may have been
- * quantised with, the signs of the frame's axes where they are unclear, and smoothings that may have
- * to be undone first; the best fit is what is read. GetMessageIsValid() tells whether the message's
- * check holds: by chance it does so once in a million meshes. Port 1: a row per carrier: `Carrier`,
- * `Value`, `Margin` (from -1, surely 0, to 1, surely 1), `Bit` (of the code, before correction).
+ * quantised with, the signs of the frame's axes where they are unclear, smoothings that may have to be
+ * undone first, and small movements of the frame; the best fit is what is read. GetMessageIsValid()
+ * tells whether the message's check holds: by chance it does so for one mesh in a million. Port 1: a
+ * row per carrier: `Carrier`, `Value`, `Margin` (from -1, surely 0, to 1, surely 1), `Bit` (of the
+ * code, before correction).
  *
  * Set ExpectedMessage, or UseDerivedMessage with a secret key, to have the verdict:
  * GetBitErrorRate(), GetCorrelation(), GetPValue(), GetLogLikelihoodRatio() and GetDetected().
  *
  * The p-value is the probability that an unmarked mesh agrees with the expected message at least
- * as well. Robust: of n carriers, each of which agrees like a fair coin of the key whatever the mesh,
- * as many agree in one given reading with exactly binomial probability; multiplied by the number of
- * readings that detection tries (1,664), it bounds that of the best one. Without a secret key the
- * dither is public: the bound then holds for meshes that were not made to agree. PaperSlots, with a
+ * as well. Robust: what an unmarked mesh reads is uniform over all messages and checks, under a key,
+ * whatever the mesh and whatever was tried to read it, so that the number of their bits that agree is
+ * exactly binomial (84 bits for a message of 64: 5e-26 when all agree). Without a secret key the dither
+ * is public: that then holds for meshes that were not made to agree. PaperSlots, with a
  * secret key it is exact: each bit then agrees like a fair coin of the key,
  * whatever the mesh. Without one, bits of unmarked meshes are not fair (0 is the likelier) and the
  * p-value is an upper bound from how 15 unmarked scans read: their slots (of 10 components, from 21

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether the p-values of the scheme Robust are what they say: reads meshes that carry no mark, and the
+// same meshes marked under another key, with many keys, and counts how often what is read agrees with
+// messages that nobody embedded.
+//
+//     CalibrateRobust KEYS MESSAGES MESH.ply ...
+//
+// KEYS for each mesh, half of them on the mesh as it is, half on it marked; MESSAGES for each reading.
+// Messages have 4 bits, which with their check make 24. Prints the numbers of agreeing bits beside
+// those of the exact distribution, and the false positives beside theirs.
+#include "BenchmarkMesh.h"
+#include "Core/Detection.h"
+#include "Core/SolidReader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <iomanip>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace sw = spectralwatermark;
+
+namespace
+{
+
+constexpr sw::Index MessageBits = 4;
+constexpr int DataBits = 24;
+constexpr int Threads = 2;
+
+using Counts = std::vector<double>; // of readings and messages with 0, 1, ... agreeing bits
+
+sw::TriangleMesh MarkedByAnother(sw::TriangleMesh mesh)
+{
+  sw::SolidEmbeddingOptions options;
+  options.Message = "1011001110001011";
+  options.Threads = Threads;
+  mesh.Points =
+    sw::EmbedInSolid(mesh, sw::SecretKey("another owner"), options, sw::Progress()).Points;
+  return mesh;
+}
+
+// The data that a message and a key stand for is as random as the check; here all of it is.
+void Count(const sw::TriangleMesh& mesh, const std::string& keyName, int messages, Counts& counts)
+{
+  const sw::SolidReading reading =
+    sw::ReadSolid(mesh, sw::SecretKey(keyName), MessageBits, Threads, sw::Progress());
+  const sw::Index bits = static_cast<sw::Index>(messages) * DataBits;
+  const std::string expected = sw::SecretKey("messages of " + keyName).Message(bits);
+  for (int m = 0; m < messages; ++m)
+  {
+    const auto at = static_cast<std::size_t>(m) * DataBits;
+    const sw::Index agreements = sw::CountAgreements(reading.Data, expected.substr(at, DataBits));
+    counts[static_cast<std::size_t>(agreements)] += 1.0;
+  }
+}
+
+Counts ExactDistribution()
+{
+  Counts chances(DataBits + 1);
+  double chance = std::pow(0.5, DataBits);
+  for (int k = 0; k <= DataBits; ++k)
+  {
+    chances[static_cast<std::size_t>(k)] = chance;
+    chance *= static_cast<double>(DataBits - k) / (k + 1);
+  }
+  return chances;
+}
+
+void Report(const Counts& counts)
+{
+  const Counts chances = ExactDistribution();
+  double trials = 0.0;
+  for (const double count : counts)
+  {
+    trials += count;
+  }
+  std::cout << trials << " trials\nagreeing bits, counted, expected\n";
+  double chiSquare = 0.0;
+  int cells = 0;
+  for (std::size_t k = 0; k <= DataBits; ++k)
+  {
+    const double mean = trials * chances[k];
+    std::cout << std::setw(3) << k << std::setw(10) << counts[k] << std::setw(12) << std::fixed
+              << std::setprecision(2) << mean << std::defaultfloat << "\n";
+    if (mean >= 5.0)
+    {
+      chiSquare += (counts[k] - mean) * (counts[k] - mean) / mean;
+      ++cells;
+    }
+  }
+  std::cout << "chi square " << chiSquare << " over " << cells << " counts of 5 or more (expected "
+            << cells << ", deviation " << std::sqrt(2.0 * cells) << ")\n"
+            << "false positives: rate asked for, exact rate, measured, its 95 % interval under the "
+               "exact rate\n";
+  for (const double alpha : { 1e-2, 1e-3, 1e-4 })
+  {
+    double exact = 0.0;
+    double measured = 0.0;
+    for (std::size_t k = DataBits + 1; k-- > 0 && exact + chances[k] <= alpha;)
+    {
+      exact += chances[k];
+      measured += counts[k] / trials;
+    }
+    const double width = 1.96 * std::sqrt(exact * (1.0 - exact) / trials);
+    std::cout << alpha << "  " << exact << "  " << measured << "  [" << std::max(0.0, exact - width)
+              << ", " << exact + width << "]\n";
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+try
+{
+  if (argc < 4)
+  {
+    std::cerr << "usage: CalibrateRobust KEYS MESSAGES MESH.ply ...\n";
+    return EXIT_FAILURE;
+  }
+  const int keys = std::stoi(argv[1]);
+  const int messages = std::stoi(argv[2]);
+  Counts counts(DataBits + 1, 0.0);
+  for (int a = 3; a < argc; ++a)
+  {
+    const std::string name = argv[a];
+    const sw::TriangleMesh mesh = sw::benchmark::ReadMesh(name, 0);
+    const sw::TriangleMesh marked = MarkedByAnother(mesh);
+    for (int k = 0; k < keys; ++k)
+    {
+      Count(k % 2 == 0 ? mesh : marked, name + " " + std::to_string(k), messages, counts);
+    }
+    std::cerr << name << " done\n";
+  }
+  Report(counts);
+  return EXIT_SUCCESS;
+}
+catch (const std::exception& error)
+{
+  std::cerr << "CalibrateRobust: " << error.what() << "\n";
+  return EXIT_FAILURE;
+}
