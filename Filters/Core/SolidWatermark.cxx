@@ -39,7 +39,7 @@ constexpr double VolumePerWave = 220.0;
 constexpr Index CandidatesPerWave = 64;
 
 constexpr double SmallestStep = 2.5e-4;
-constexpr double StepRatio = 1.189207115002721; // 2^(1/4)
+constexpr double StepRatio = 1.0905077326652577; // 2^(1/8)
 
 // Of a carrier, in steps: embedded well enough.
 constexpr double GoodError = 0.005;

@@ -51,7 +51,7 @@ std::string CodeOf(const std::string& data);
 
 /// Steps that carriers are quantised with, in units of (scale of the frame)^3: a geometric series,
 /// so that a reader can try them all.
-constexpr int NumberOfSteps = 40;
+constexpr int NumberOfSteps = 80;
 double StepOfNumber(int number);
 
 struct SolidEmbeddingOptions
