@@ -132,8 +132,14 @@ void vtkSpectralWatermarkEmbed::EmbedInSolid(vtkPolyData* input, vtkPolyData* ou
   options.MaximumDistortion = this->MaximumDistortion / 100.0;
   options.Threads = sw::ThreadsOfVtk();
   options.RoundToFloat = sw::StoresFloat(input, this->OutputPointsPrecision);
-  const sw::SolidEmbeddingResult result =
-    sw::EmbedInSolid(mesh.Mesh, *key, options, sw::ProgressOf(this));
+  const sw::Progress progress = sw::ProgressOf(this);
+  const sw::SolidEmbeddingResult result = sw::EmbedInSolid(mesh.Mesh, *key, options,
+    this->ReportCapacity ? progress.Part(0.0, 0.5) : progress);
+  if (this->ReportCapacity)
+  {
+    this->Capacity = static_cast<int>(sw::CapacityOf(mesh.Mesh, *key, options.MaximumDistortion,
+      options.Threads, progress.Part(0.5, 1.0)));
+  }
 
   SetMarkedPoints(output, input, mesh, result.Points, this->OutputPointsPrecision);
   sw::FillRoundsTable(table, result.Rounds);
@@ -154,6 +160,7 @@ void vtkSpectralWatermarkEmbed::ResetResults()
 {
   this->Distortion = 0.0;
   this->Margin = 0.0;
+  this->Capacity = 0;
   this->Converged = 0;
   this->NumberOfIterationsUsed = 0;
   this->NumberOfEigensolves = 0;
@@ -181,6 +188,8 @@ void vtkSpectralWatermarkEmbed::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "Distortion: " << this->Distortion << "\n";
   os << indent << "Margin: " << this->Margin << "\n";
+  os << indent << "ReportCapacity: " << this->ReportCapacity << "\n";
+  os << indent << "Capacity: " << this->Capacity << "\n";
   os << indent << "Converged: " << this->Converged << "\n";
   os << indent << "NumberOfIterationsUsed: " << this->NumberOfIterationsUsed << "\n";
   os << indent << "NumberOfEigensolves: " << this->NumberOfEigensolves << "\n";

@@ -103,6 +103,16 @@ public:
 
   ///@{
   /**
+   * Set/Get whether Robust measures GetCapacity(), which takes as long as several embeddings. Default
+   * off.
+   */
+  vtkSetMacro(ReportCapacity, bool);
+  vtkGetMacro(ReportCapacity, bool);
+  vtkBooleanMacro(ReportCapacity, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the precision of the output points, a vtkAlgorithm::DesiredOutputPrecision. Default
    * DEFAULT_PRECISION: the input's. Choose SINGLE_PRECISION when the mesh goes to a file format
    * that stores floats, so that what was verified is what the file holds.
@@ -127,6 +137,13 @@ public:
    * the border to the other bit. 0 for PaperSlots.
    */
   vtkGetMacro(Margin, double);
+
+  /**
+   * Get how many bits the longest message has that Robust would embed in this mesh within
+   * MaximumDistortion, at most 1024; 0 unless ReportCapacity is on, and for PaperSlots. The longer a
+   * message, the less it survives.
+   */
+  vtkGetMacro(Capacity, int);
 
   /**
    * Get how many times the output's points were changed.
@@ -165,6 +182,8 @@ private:
   int RequiredBits = 0;
   int MaximumNumberOfIterations = 20;
   double MaximumDistortion = 0.07;
+  bool ReportCapacity = false;
+  int Capacity = 0;
   int OutputPointsPrecision = DEFAULT_PRECISION;
 
   double Distortion = 0.0;

@@ -44,9 +44,13 @@ constexpr double StepRatio = 1.0905077326652577; // 2^(1/8)
 // Of a carrier, in steps: embedded well enough.
 constexpr double GoodError = 0.005;
 constexpr int MostRounds = 12;
+constexpr int MostAttempts = 4;
 
 // Parts of the budget that the plan may use: what is measured differs a little.
 constexpr double PlannedPart = 0.97;
+
+// And for a message that is not known yet, and that is not tried.
+constexpr double SafePart = 0.8;
 
 // Of the waves' Gram matrix, relative to the largest: less is rounding.
 constexpr double SmallestPivot = 1e-10;
@@ -309,14 +313,28 @@ SolidEmbeddingResult Embedding::Run(const Plan& plan, const SolidEmbeddingOption
   return result;
 }
 
-// The largest step that the budget allows; below `under` if a larger one has been tried.
-Plan LargestAffordable(const VectorXd& values, const std::string& code, const Carriers& carriers,
-  const MatrixXd& cost, double budget, int under)
+// What the plans of an embedding are made from.
+struct Payload
+{
+  Payload(const View& view, const SecretKey& key, Index bits, int threads)
+    : Carrier(CarriersOf(key, bits))
+    , Values(SolidSpectrum(view.Mesh, this->Carrier.Waves, threads))
+    , Cost(Response(view, this->Carrier).Cost(this->Carrier.Count()))
+  {
+  }
+
+  Carriers Carrier;
+  VectorXd Values;
+  MatrixXd Cost;
+};
+
+// The largest step that the budget allows.
+Plan LargestAffordable(const Payload& payload, const std::string& code, double budget)
 {
   Plan plan;
-  for (int number = under - 1; number >= 0; --number)
+  for (int number = NumberOfSteps - 1; number >= 0; --number)
   {
-    plan = PlanWithStep(number, values, code, carriers, cost);
+    plan = PlanWithStep(number, payload.Values, code, payload.Carrier, payload.Cost);
     if (plan.Distortion <= budget)
     {
       return plan;
@@ -324,6 +342,47 @@ Plan LargestAffordable(const VectorXd& values, const std::string& code, const Ca
   }
   plan.Step = -1;
   return plan;
+}
+
+// Of a message with its check, that fills so many words of the code; 0 when the check alone does.
+Index MessageBitsOf(Index words)
+{
+  return std::clamp<Index>(words * GolayDataBits - LeastCheckBits, 0, LargestMessage);
+}
+
+// Whether a message of so many words can be embedded at all. `budget` is in the frame's scale.
+bool Fits(const View& view, const SecretKey& key, Index words, double budget, int threads)
+{
+  const Index carriers = words * GolayCodeBits;
+  if (carriers + Moments >= view.Mesh.NumberOfVertices())
+  {
+    return false;
+  }
+  try
+  {
+    const Payload payload(view, key, MessageBitsOf(words), threads);
+    const std::string code(static_cast<std::size_t>(carriers), '0'); // as good as any, whitened
+    return PlanWithStep(0, payload.Values, code, payload.Carrier, payload.Cost).Distortion <=
+      SafePart * budget;
+  }
+  catch (const InvalidInput&)
+  {
+    return false; // waves that cannot be told apart
+  }
+}
+
+// The most words that fit, under `tooMany`.
+Index MostWords(const View& view, const SecretKey& key, Index tooMany, double budget, int threads,
+  const Progress& progress)
+{
+  Index most = BlocksOf(1) - 1;
+  for (int looks = 0; tooMany - most > 1; ++looks)
+  {
+    const Index words = (most + tooMany) / 2;
+    (Fits(view, key, words, budget, threads) ? most : tooMany) = words;
+    progress.Report(1.0 - std::pow(0.5, looks + 1));
+  }
+  return most;
 }
 
 std::string Percent(double part)
@@ -384,40 +443,53 @@ std::string CodeOf(const std::string& data)
   return code;
 }
 
+Index CapacityOf(const TriangleMesh& mesh, const SecretKey& key, double maximumDistortion,
+  int threads, const Progress& progress)
+{
+  const TriangleMesh oriented = Oriented(mesh);
+  const View view(oriented);
+  const double budget =
+    PlannedPart * maximumDistortion * BoundingBoxDiagonal(oriented.Points) / view.Frame.Scale;
+  const Index words = MostWords(view, key, BlocksOf(LargestMessage) + 1, budget, threads, progress);
+  progress.Report(1.0);
+  return MessageBitsOf(words);
+}
+
 SolidEmbeddingResult EmbedInSolid(const TriangleMesh& mesh, const SecretKey& key,
   const SolidEmbeddingOptions& options, const Progress& progress)
 {
   CheckMessage(options.Message);
   const auto bits = static_cast<Index>(options.Message.size());
-  const Carriers carriers = CarriersOf(key, bits);
-  const std::string code = CodeOf(DataOf(options.Message, key, carriers));
   const TriangleMesh oriented = Oriented(mesh);
-  const Embedding embedding(oriented, carriers, options.Threads);
   const View view(oriented);
-  const VectorXd values = SolidSpectrum(view.Mesh, carriers.Waves, options.Threads);
-  const MatrixXd cost = Response(view, carriers).Cost(carriers.Count());
+  const Payload payload(view, key, bits, options.Threads);
+  const std::string code = CodeOf(DataOf(options.Message, key, payload.Carrier));
+  const Embedding embedding(oriented, payload.Carrier, options.Threads);
   progress.Report(0.1);
 
   const double scale = view.Frame.Scale / BoundingBoxDiagonal(oriented.Points);
+  double budget = PlannedPart * options.MaximumDistortion / scale;
   SolidEmbeddingResult result;
-  int under = NumberOfSteps;
-  for (int attempt = 0; attempt < 3; ++attempt)
+  for (int attempt = 0; attempt < MostAttempts; ++attempt)
   {
-    const Plan plan = LargestAffordable(values, code, carriers, cost,
-      PlannedPart * options.MaximumDistortion / scale, under);
+    const Plan plan = LargestAffordable(payload, code, budget);
     if (plan.Step < 0)
     {
+      const Index most = MessageBitsOf(
+        MostWords(view, key, BlocksOf(bits), budget, options.Threads, progress.Part(0.55, 1.0)));
       throw InvalidInput(std::to_string(bits) + " bits would move the surface by " +
-        Percent(plan.Distortion * scale) + " of its diagonal, more than MaximumDistortion, " +
-        Percent(options.MaximumDistortion) + ": embed fewer bits, or raise it");
+        Percent(attempt == 0 ? plan.Distortion * scale : result.Distortion) +
+        " of its diagonal, more than MaximumDistortion, " + Percent(options.MaximumDistortion) +
+        ": raise it, or embed fewer bits (" + std::to_string(most) + " would fit)");
     }
-    result =
-      embedding.Run(plan, options, progress.Part(0.1 + 0.15 * attempt, 0.25 + 0.15 * attempt));
+    const double begin = 0.1 + 0.45 * attempt / MostAttempts;
+    result = embedding.Run(plan, options, progress.Part(begin, begin + 0.45 / MostAttempts));
     if (result.Distortion <= options.MaximumDistortion)
     {
       break;
     }
-    under = plan.Step;
+    // The response is not linear: by so much more than planned.
+    budget *= std::min(0.95, options.MaximumDistortion / result.Distortion);
   }
   TriangleMesh marked = mesh;
   marked.Points = result.Points;

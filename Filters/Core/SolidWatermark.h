@@ -84,6 +84,12 @@ struct SolidEmbeddingResult
 SolidEmbeddingResult EmbedInSolid(const TriangleMesh& mesh, const SecretKey& key,
   const SolidEmbeddingOptions& options, const Progress& progress);
 
+/// How many bits the longest message has that EmbedInSolid() does not refuse, up to LargestMessage; 0
+/// when none fits. Such a message is embedded with the smallest step and survives little. Takes as long
+/// as several embeddings, of up to that many bits.
+Index CapacityOf(const TriangleMesh& mesh, const SecretKey& key, double maximumDistortion,
+  int threads, const Progress& progress);
+
 } // namespace spectralwatermark
 
 #endif

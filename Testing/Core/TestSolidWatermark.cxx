@@ -180,9 +180,27 @@ TEST(SolidWatermark, RefusesWhatDoesNotFit)
   const std::string budget = refusal(Host(3), 64, 1e-7);
   EXPECT_NE(budget.find("64 bits would move the surface by"), std::string::npos) << budget;
   EXPECT_NE(budget.find("MaximumDistortion, 1e-05 %"), std::string::npos) << budget;
+  EXPECT_NE(budget.find("(0 would fit)"), std::string::npos) << budget;
   const std::string capacity = refusal(Host(3), 400, 0.0007); // 840 carriers, 642 vertices
   EXPECT_NE(capacity.find("too small or too simple for so many bits"), std::string::npos)
     << capacity;
+}
+
+// What is said to fit is embedded, and two words of the code more are refused.
+TEST(SolidWatermark, CapacityIsWhatFits)
+{
+  const SecretKey key("secret");
+  const TriangleMesh mesh = Host(3);
+  for (const double distortion : { 2e-5, 4e-5 })
+  {
+    const Index capacity = CapacityOf(mesh, key, distortion, 2, Progress());
+    ASSERT_GT(capacity, 0) << distortion;
+    ASSERT_LT(capacity, 400);
+    EXPECT_LE(Marked(mesh, key, key.Message(capacity), distortion).Distortion, distortion);
+    EXPECT_THROW(Marked(mesh, key, key.Message(capacity + 24), distortion), InvalidInput);
+  }
+  EXPECT_LT(CapacityOf(mesh, key, 2e-5, 2, Progress()), CapacityOf(mesh, key, 4e-5, 2, Progress()));
+  EXPECT_EQ(CapacityOf(mesh, key, 1e-9, 2, Progress()), 0);
 }
 
 // For a mesh without the mark every bit is a fair coin of the key: at one step, with one frame, the

@@ -123,6 +123,19 @@ TEST(RobustScheme, HasItsOwnDefaults)
   EXPECT_EQ(embed->GetNumberOfBits(), 64);
 }
 
+TEST(RobustScheme, ReportsTheCapacityWhenAsked)
+{
+  const auto embed = EmbedIn(Host(3), "mine");
+  embed->SetNumberOfBits(16);
+  embed->Update();
+  EXPECT_EQ(embed->GetCapacity(), 0);
+  embed->ReportCapacityOn();
+  embed->Update();
+  EXPECT_GE(embed->GetCapacity(), 16);
+  EXPECT_LE(embed->GetCapacity(), 1024);
+  EXPECT_EQ(embed->GetConverged(), 1);
+}
+
 TEST(RobustScheme, MarksWithSixtyFourBitsOfTheKey)
 {
   const auto mesh = Host(5);
