@@ -49,8 +49,8 @@ constexpr int MostAttempts = 4;
 // Parts of the budget that the plan may use: what is measured differs a little.
 constexpr double PlannedPart = 0.97;
 
-// And for a message that is not known yet, and that is not tried.
-constexpr double SafePart = 0.8;
+// And for a message that is not known yet: what it costs depends on its bits by some percent.
+constexpr double SafePart = 0.9;
 
 // Of the waves' Gram matrix, relative to the largest: less is rounding.
 constexpr double SmallestPivot = 1e-10;
@@ -350,40 +350,64 @@ Index MessageBitsOf(Index words)
   return std::clamp<Index>(words * GolayDataBits - LeastCheckBits, 0, LargestMessage);
 }
 
-// Whether a message of so many words can be embedded at all. `budget` is in the frame's scale.
-bool Fits(const View& view, const SecretKey& key, Index words, double budget, int threads)
+// Which messages fit a mesh and a budget, by embedding one with the smallest step.
+class Capacity
 {
-  const Index carriers = words * GolayCodeBits;
-  if (carriers + Moments >= view.Mesh.NumberOfVertices())
+public:
+  Capacity(const TriangleMesh& oriented, const SecretKey& key, double maximumDistortion,
+    int threads)
+    : Mesh(oriented)
+    , Key(key)
+    , MaximumDistortion(maximumDistortion)
+    , Threads(threads)
+    , Seen(oriented)
   {
-    return false;
   }
-  try
-  {
-    const Payload payload(view, key, MessageBitsOf(words), threads);
-    const std::string code(static_cast<std::size_t>(carriers), '0'); // as good as any, whitened
-    return PlanWithStep(0, payload.Values, code, payload.Carrier, payload.Cost).Distortion <=
-      SafePart * budget;
-  }
-  catch (const InvalidInput&)
-  {
-    return false; // waves that cannot be told apart
-  }
-}
 
-// The most words that fit, under `tooMany`.
-Index MostWords(const View& view, const SecretKey& key, Index tooMany, double budget, int threads,
-  const Progress& progress)
-{
-  Index most = BlocksOf(1) - 1;
-  for (int looks = 0; tooMany - most > 1; ++looks)
+  // The most words that fit, under `tooMany`.
+  Index MostWords(Index tooMany, const Progress& progress) const
   {
-    const Index words = (most + tooMany) / 2;
-    (Fits(view, key, words, budget, threads) ? most : tooMany) = words;
-    progress.Report(1.0 - std::pow(0.5, looks + 1));
+    Index most = BlocksOf(1) - 1;
+    for (int looks = 0; tooMany - most > 1; ++looks)
+    {
+      const Index words = (most + tooMany) / 2;
+      (this->Fits(words) ? most : tooMany) = words;
+      progress.Report(1.0 - std::pow(0.5, looks + 1));
+    }
+    return most;
   }
-  return most;
-}
+
+private:
+  bool Fits(Index words) const
+  {
+    const Index carriers = words * GolayCodeBits;
+    if (carriers + Moments >= this->Mesh.NumberOfVertices())
+    {
+      return false;
+    }
+    try
+    {
+      const Payload payload(this->Seen, this->Key, MessageBitsOf(words), this->Threads);
+      const std::string code(static_cast<std::size_t>(carriers), '0'); // as good as any, whitened
+      const Plan plan = PlanWithStep(0, payload.Values, code, payload.Carrier, payload.Cost);
+      const double scale = this->Seen.Frame.Scale / BoundingBoxDiagonal(this->Mesh.Points);
+      return plan.Distortion * scale <= this->MaximumDistortion &&
+        Embedding(this->Mesh, payload.Carrier, this->Threads)
+          .Run(plan, SolidEmbeddingOptions(), Progress())
+          .Distortion <= SafePart * this->MaximumDistortion;
+    }
+    catch (const InvalidInput&)
+    {
+      return false; // waves that cannot be told apart
+    }
+  }
+
+  const TriangleMesh& Mesh;
+  const SecretKey& Key;
+  double MaximumDistortion;
+  int Threads;
+  View Seen;
+};
 
 std::string Percent(double part)
 {
@@ -447,10 +471,8 @@ Index CapacityOf(const TriangleMesh& mesh, const SecretKey& key, double maximumD
   int threads, const Progress& progress)
 {
   const TriangleMesh oriented = Oriented(mesh);
-  const View view(oriented);
-  const double budget =
-    PlannedPart * maximumDistortion * BoundingBoxDiagonal(oriented.Points) / view.Frame.Scale;
-  const Index words = MostWords(view, key, BlocksOf(LargestMessage) + 1, budget, threads, progress);
+  const Index words = Capacity(oriented, key, maximumDistortion, threads)
+                        .MostWords(BlocksOf(LargestMessage) + 1, progress);
   progress.Report(1.0);
   return MessageBitsOf(words);
 }
@@ -475,8 +497,9 @@ SolidEmbeddingResult EmbedInSolid(const TriangleMesh& mesh, const SecretKey& key
     const Plan plan = LargestAffordable(payload, code, budget);
     if (plan.Step < 0)
     {
-      const Index most = MessageBitsOf(
-        MostWords(view, key, BlocksOf(bits), budget, options.Threads, progress.Part(0.55, 1.0)));
+      const Capacity capacity(oriented, key, options.MaximumDistortion, options.Threads);
+      const Index most =
+        MessageBitsOf(capacity.MostWords(BlocksOf(bits), progress.Part(0.55, 1.0)));
       throw InvalidInput(std::to_string(bits) + " bits would move the surface by " +
         Percent(attempt == 0 ? plan.Distortion * scale : result.Distortion) +
         " of its diagonal, more than MaximumDistortion, " + Percent(options.MaximumDistortion) +
