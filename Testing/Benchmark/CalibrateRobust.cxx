@@ -77,14 +77,16 @@ void Report(const Counts& counts)
   {
     trials += count;
   }
-  std::cout << trials << " trials\nagreeing bits, counted, expected\n";
+  std::cout << std::fixed << std::setprecision(0) << trials
+            << " trials\nagreeing bits, counted, expected\n";
   double chiSquare = 0.0;
   int cells = 0;
   for (std::size_t k = 0; k <= DataBits; ++k)
   {
     const double mean = trials * chances[k];
-    std::cout << std::setw(3) << k << std::setw(10) << counts[k] << std::setw(12) << std::fixed
-              << std::setprecision(2) << mean << std::defaultfloat << "\n";
+    std::cout << std::fixed << std::setw(3) << k << std::setw(10) << std::setprecision(0)
+              << counts[k] << std::setw(12) << std::setprecision(2) << mean << std::defaultfloat
+              << std::setprecision(3) << "\n";
     if (mean >= 5.0)
     {
       chiSquare += (counts[k] - mean) * (counts[k] - mean) / mean;
