@@ -7,6 +7,7 @@ Importing this module needs a display: Debian's VTK draws through X, and a virtu
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -214,6 +215,16 @@ def _bar(mapper: vtkPolyDataMapper, size: int) -> vtkScalarBarActor:
     style.ItalicOff()
     style.ShadowOff()
     return bar
+
+
+def table_of(**columns: Sequence[float] | np.ndarray) -> vtkTable:
+    """Numbers for curves, a column for each name."""
+    table = vtkTable()
+    for name, values in columns.items():
+        column = numpy_to_vtk(np.asarray(values, dtype=float), deep=True)
+        column.SetName(name)
+        table.AddColumn(column)
+    return table
 
 
 @dataclass

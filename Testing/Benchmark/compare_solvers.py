@@ -247,14 +247,9 @@ def draw(path: Path, rows: Sequence[dict], axis: str, title: str) -> None:
     """Time against one of the two, both axes logarithmic."""
     sys.path.insert(0, str(SOURCE / "Examples" / "Python"))
     import mesh_pictures
-    from vtkmodules.util.numpy_support import numpy_to_vtk
-    from vtkmodules.vtkCommonDataModel import vtkTable
 
-    table = vtkTable()
-    for name in (axis, "seconds"):
-        column = numpy_to_vtk(np.array([float(row[name]) for row in rows]), deep=True)
-        column.SetName(name)
-        table.AddColumn(column)
+    table = mesh_pictures.table_of(
+        **{name: [float(row[name]) for row in rows] for name in (axis, "seconds")})
     grown = exponent((row[axis] for row in rows), (row["seconds"] for row in rows))
     mesh_pictures.write_chart(
         path,

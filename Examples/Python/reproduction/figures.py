@@ -20,8 +20,8 @@ from spectralwatermark import (
     vtkMeshDistortion,
     vtkSpectralWatermarkEmbed,
 )
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator, vtkTable
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 from . import experiments
@@ -77,15 +77,6 @@ def are_drawn(folder: Path, record: dict | None) -> bool:
 
 def _digest(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
-
-
-def table_of(**columns: Sequence[float] | np.ndarray) -> vtkTable:
-    table = vtkTable()
-    for name, values in columns.items():
-        column = numpy_to_vtk(np.asarray(values, dtype=float), deep=True)
-        column.SetName(name)
-        table.AddColumn(column)
-    return table
 
 
 def vertices_of(mesh: vtkPolyData) -> str:
@@ -181,7 +172,7 @@ def draw_doubling(
 
 
 def _draw_similarity(path: Path, similarity: np.ndarray) -> None:
-    table = table_of(component=np.arange(1, len(similarity) + 1), similarity=similarity)
+    table = pictures.table_of(component=np.arange(1, len(similarity) + 1), similarity=similarity)
     pictures.write_chart(
         path, [pictures.Curve(table, "component", "similarity", "similarity", "SteelBlue")],
         f"Harmonics before and after component {COMPONENT} was doubled",
@@ -190,8 +181,8 @@ def _draw_similarity(path: Path, similarity: np.ndarray) -> None:
 
 def _draw_spectra(path: Path, before: np.ndarray, after: np.ndarray) -> None:
     component = np.arange(2, len(before) + 1)  # the first is the position
-    table = table_of(component=component, before=before[1:], after=after[1:])
-    doubled = table_of(component=[COMPONENT], after=[after[COMPONENT - 1]])
+    table = pictures.table_of(component=component, before=before[1:], after=after[1:])
+    doubled = pictures.table_of(component=[COMPONENT], after=[after[COMPONENT - 1]])
     pictures.write_chart(
         path,
         [pictures.Curve(table, "component", "before", "original", "SteelBlue"),
@@ -204,8 +195,8 @@ def _draw_spectra(path: Path, before: np.ndarray, after: np.ndarray) -> None:
 
 def _draw_difference(path: Path, difference: np.ndarray) -> None:
     component = np.arange(2, len(difference) + 1)
-    table = table_of(component=component, difference=difference[1:])
-    doubled = table_of(component=[COMPONENT], difference=[difference[COMPONENT - 1]])
+    table = pictures.table_of(component=component, difference=difference[1:])
+    doubled = pictures.table_of(component=[COMPONENT], difference=[difference[COMPONENT - 1]])
     pictures.write_chart(
         path,
         [pictures.Curve(table, "component", "difference", "modified - original", "SteelBlue"),
@@ -260,8 +251,8 @@ def draw_evolution(folder: Path, candidates: Sequence[Model]) -> list[dict]:
         if best is not None and best["iterations"] >= 3:
             break  # "not achieved in one iteration"
     best = best or facts
-    table = table_of(iteration=range(len(best["carrier"])), carrier=best["carrier"],
-                     average=best["average"])
+    table = pictures.table_of(iteration=range(len(best["carrier"])), carrier=best["carrier"],
+                              average=best["average"])
     pictures.write_chart(
         folder / NAMES["8"],
         [pictures.Curve(table, "iteration", "carrier", f"c{COMPONENT}", "Firebrick"),
@@ -358,10 +349,10 @@ def draw_roc(folder: Path, curves: dict[tuple[str, str], Curve]) -> None:
             if logarithmic:
                 x, y = x[x >= LOWEST_RATE], y[x >= LOWEST_RATE]
             lines.append(pictures.Curve(
-                table_of(x=x, y=y), "x", "y", f"{division} slots, {ROC_LABELS[detector]}",
+                pictures.table_of(x=x, y=y), "x", "y", f"{division} slots, {ROC_LABELS[detector]}",
                 ROC_COLOURS[division, detector]))
         chance = np.geomspace(LOWEST_RATE, 1.0, 60)
-        lines.append(pictures.Curve(table_of(x=chance, y=chance), "x", "y", "a coin", "Silver"))
+        lines.append(pictures.Curve(pictures.table_of(x=chance, y=chance), "x", "y", "a coin", "Silver"))
         pictures.write_chart(
             folder / NAMES[name], lines, "Marked meshes found, against unmarked ones mistaken",
             ("false positives, share of unmarked meshes" +

@@ -9,8 +9,6 @@ from html import escape
 from pathlib import Path
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkTable
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "Examples" / "Python"))
 import mesh_pictures  # noqa: E402 - beside the examples
@@ -140,15 +138,6 @@ def _by_mesh(schemes: Sequence[Scheme], outcomes: Sequence[Outcome], meshes: Seq
     return "\n".join(parts)
 
 
-def _table(columns: dict[str, Sequence[float]]) -> vtkTable:
-    data = vtkTable()
-    for name, values in columns.items():
-        array = numpy_to_vtk(np.asarray(values, dtype=float), deep=True)
-        array.SetName(name)
-        data.AddColumn(array)
-    return data
-
-
 def _curves(schemes: Sequence[Scheme], outcomes: Sequence[Outcome], folder: Path) -> str:
     parts = ["<h2>Error against strength</h2>"]
     for attack in ATTACKS:
@@ -162,13 +151,13 @@ def _curves(schemes: Sequence[Scheme], outcomes: Sequence[Outcome], folder: Path
                      for s in attack.strengths]
             if None not in rates:
                 curves.append(mesh_pictures.Curve(
-                    _table({"strength": strengths, "rate": rates}), "strength", "rate", scheme.name,
+                    mesh_pictures.table_of(strength=strengths, rate=rates), "strength", "rate", scheme.name,
                     colour))
         if (attack.name, attack.strengths[0]) in published.RATES:
             for column, colour in enumerate(PUBLISHED_COLOURS):
                 rates = [published.RATES[attack.name, s][column] for s in attack.strengths]
                 curves.append(mesh_pictures.Curve(
-                    _table({"strength": strengths, "rate": rates}), "strength", "rate",
+                    mesh_pictures.table_of(strength=strengths, rate=rates), "strength", "rate",
                     f"published: {published.COLUMNS[column].split(' (')[0]}", colour))
         name = f"rates-{attack.name}.png"
         mesh_pictures.write_chart(folder / name, curves, f"Bit error rate after {attack.name}",
@@ -189,7 +178,7 @@ def _certainty(schemes: Sequence[Scheme], outcomes: Sequence[Outcome], folder: P
         if len(values):
             shares = [(values <= 10.0**-digit).mean() for digit in digits]
             curves.append(mesh_pictures.Curve(
-                _table({"digits": digits, "share": shares}), "digits", "share", scheme.name, colour))
+                mesh_pictures.table_of(digits=digits, share=shares), "digits", "share", scheme.name, colour))
     mesh_pictures.write_chart(
         folder / "roc.png", curves, "Copies found, all attacks but cropping",
         ("one false positive in 10 to the power of", "share of copies found"))

@@ -45,12 +45,17 @@ def _secret(key: str) -> str:
     return f"robustness key {key}"
 
 
+def _set(filter_: vtkSpectralWatermarkEmbed | vtkSpectralWatermarkDetect, mesh: vtkPolyData, key: str,
+         properties: dict[str, object]) -> None:
+    filter_.SetInputData(mesh)
+    for name, value in properties.items():
+        getattr(filter_, f"Set{name}")(value)
+    filter_.SetSecretKey(_secret(key))
+
+
 def _embed(mesh: vtkPolyData, key: str, **properties: object) -> Marked:
     embed = vtkSpectralWatermarkEmbed()
-    embed.SetInputData(mesh)
-    for name, value in properties.items():
-        getattr(embed, f"Set{name}")(value)
-    embed.SetSecretKey(_secret(key))
+    _set(embed, mesh, key, properties)
     embed.SetMessage("")
     embed.Update()
     if embed.GetErrorCode():
@@ -60,10 +65,7 @@ def _embed(mesh: vtkPolyData, key: str, **properties: object) -> Marked:
 
 def _detect(mesh: vtkPolyData, key: str, **properties: object) -> Reading:
     detect = vtkSpectralWatermarkDetect()
-    detect.SetInputData(mesh)
-    for name, value in properties.items():
-        getattr(detect, f"Set{name}")(value)
-    detect.SetSecretKey(_secret(key))
+    _set(detect, mesh, key, properties)
     detect.UseDerivedMessageOn()
     detect.SetFalsePositiveRate(1.0)  # p-values are judged later, and five bits prove nothing
     detect.Update()
