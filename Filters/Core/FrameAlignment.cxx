@@ -177,10 +177,10 @@ std::string Decode(const VectorXd& soft, double& fit)
   return data;
 }
 
-MatrixXd FrameResponse(const TriangleMesh& inFrame, const Carriers& carriers, int threads)
+MatrixXd FrameResponse(const TriangleMesh& inFrame, const VectorXd& values,
+  const Carriers& carriers, int threads)
 {
   const Index waves = carriers.Waves.rows();
-  const VectorXd values = SolidSpectrum(inFrame, carriers.Waves, threads);
   MatrixXd response(values.size(), Freedoms);
   const auto respond = [&](Index freedom, const TriangleMesh::PointMatrix& direction)
   {

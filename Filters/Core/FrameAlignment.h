@@ -16,7 +16,9 @@ std::string Decode(const Eigen::VectorXd& soft, double& fit);
 
 /// How the carriers change when the frame does: a column for each of its seven freedoms (three
 /// translations, three rotations, scale), to first order, each scaled to a root mean square of 1.
-Eigen::MatrixXd FrameResponse(const TriangleMesh& inFrame, const Carriers& carriers, int threads);
+/// `values` are the carriers'.
+Eigen::MatrixXd FrameResponse(const TriangleMesh& inFrame, const Eigen::VectorXd& values,
+  const Carriers& carriers, int threads);
 
 /// Values after a change of frame, and what that change cost, in fit: a search that is free to go far
 /// finds what fits by chance.

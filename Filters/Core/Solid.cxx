@@ -41,11 +41,6 @@ Corners CornersOf(const TriangleMesh& mesh, Index t)
     mesh.Points.row(mesh.Triangles(t, 2)) };
 }
 
-RowVector3d TwiceArea(const Corners& c)
-{
-  return (c[1] - c[0]).cross(c[2] - c[0]);
-}
-
 // Of the tetrahedron with the origin.
 double Volume(const Corners& c)
 {
@@ -305,7 +300,7 @@ Eigen::VectorXd SolidSpectrum(const TriangleMesh& oriented, const Eigen::MatrixX
       for (Index t = part * triangles / Parts; t < (part + 1) * triangles / Parts; ++t)
       {
         const Corners corners = CornersOf(oriented, t);
-        const RowVector3d twiceArea = TwiceArea(corners);
+        const RowVector3d twiceArea = AreaVector(oriented, t);
         for (Index w = 0; w < count; ++w)
         {
           const RowVector3d k = waves.row(w);
@@ -330,7 +325,7 @@ Eigen::VectorXd VertexAreas(const TriangleMesh& mesh)
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(mesh.NumberOfVertices());
   for (Index t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    const double third = TwiceArea(CornersOf(mesh, t)).norm() / 6.0;
+    const double third = AreaVector(mesh, t).norm() / 6.0;
     for (int corner = 0; corner < 3; ++corner)
     {
       areas[mesh.Triangles(t, corner)] += third;

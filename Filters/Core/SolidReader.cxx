@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace spectralwatermark
 {
@@ -62,12 +63,19 @@ public:
   }
 
 private:
-  // The mesh in a frame.
-  static TriangleMesh Seen(const TriangleMesh& mesh, const SolidFrame& frame)
+  // The mesh in a frame, and what its carriers are there.
+  struct Sight
   {
-    TriangleMesh seen = mesh;
-    seen.Points = frame.ToFrame(mesh.Points);
-    return seen;
+    TriangleMesh Mesh;
+    VectorXd Values;
+  };
+
+  Sight See(const TriangleMesh& mesh, const SolidFrame& frame) const
+  {
+    Sight sight{ mesh, {} };
+    sight.Mesh.Points = frame.ToFrame(mesh.Points);
+    sight.Values = SolidSpectrum(sight.Mesh, this->Carrier.Waves, this->Threads);
+    return sight;
   }
 
   SolidReading ReadingOf(const SolidHypothesis& hypothesis, const Alignment& aligned) const
@@ -113,7 +121,8 @@ private:
   int Threads;
   int Turns;
   SolidReading Best;
-  TriangleMesh SeenBest; // the mesh as the best reading saw it
+  Sight SeenBest;            // what the best reading saw
+  std::vector<Sight> AsItIs; // what was seen without undoing anything, a turn each
 };
 
 void Reader::TryEverySmoothing(const Progress& progress)
@@ -134,16 +143,19 @@ void Reader::TryEverySmoothing(const Progress& progress)
     }
     for (int turn = 0; turn < this->Turns; ++turn)
     {
-      TriangleMesh seen = Seen(sharper, Turned(*frame, turn));
-      const VectorXd values = SolidSpectrum(seen, this->Carrier.Waves, this->Threads);
+      Sight sight = this->See(sharper, Turned(*frame, turn));
       SolidReading reading = this->BestStep({ level * SmoothingStride, turn, 0 },
-        [&values](int /*step*/) {
-          return Alignment{ values, 0.0 };
+        [&sight](int /*step*/) {
+          return Alignment{ sight.Values, 0.0 };
         });
+      if (level == 0)
+      {
+        this->AsItIs.push_back(sight);
+      }
       if (reading.Fit > this->Best.Fit)
       {
         this->Best = std::move(reading);
-        this->SeenBest = std::move(seen);
+        this->SeenBest = std::move(sight);
       }
       progress.Report(
         static_cast<double>(level * this->Turns + turn + 1) / (NumberOfSmoothings * this->Turns));
@@ -151,22 +163,25 @@ void Reader::TryEverySmoothing(const Progress& progress)
   }
 }
 
-// Of the mesh as it is with every step, and of what fits best so far.
+// Of the mesh as it is with every step, and of what fits best so far where something was undone.
 void Reader::AlignFrames(const Progress& progress)
 {
-  const SolidFrame frame = FrameOf(this->Mesh);
-  const SolidReading plain = this->Best;
-  const Eigen::MatrixXd response = FrameResponse(this->SeenBest, this->Carrier, this->Threads);
-  this->Keep(this->ReadingOf(plain.Hypothesis,
-    Align(plain.Values, response, this->Carrier, StepOfNumber(plain.Hypothesis.Step))));
+  const auto responseOf = [this](const Sight& sight)
+  { return FrameResponse(sight.Mesh, sight.Values, this->Carrier, this->Threads); };
+  const SolidHypothesis plain = this->Best.Hypothesis;
+  if (plain.Smoothing > 0)
+  {
+    this->Keep(this->ReadingOf(plain,
+      Align(this->SeenBest.Values, responseOf(this->SeenBest), this->Carrier,
+        StepOfNumber(plain.Step))));
+  }
   for (int turn = 0; turn < this->Turns; ++turn)
   {
     progress.Report((turn + 1.0) / (this->Turns + 1.0));
-    const TriangleMesh seen = Seen(this->Mesh, Turned(frame, turn));
-    const VectorXd values = SolidSpectrum(seen, this->Carrier.Waves, this->Threads);
-    const Eigen::MatrixXd turned = FrameResponse(seen, this->Carrier, this->Threads);
+    const Sight& sight = this->AsItIs[static_cast<std::size_t>(turn)];
+    const Eigen::MatrixXd response = responseOf(sight);
     this->Keep(this->BestStep({ 0, turn, 0 },
-      [&](int step) { return Align(values, turned, this->Carrier, StepOfNumber(step)); }));
+      [&](int step) { return Align(sight.Values, response, this->Carrier, StepOfNumber(step)); }));
   }
 }
 

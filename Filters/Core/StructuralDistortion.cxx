@@ -50,14 +50,6 @@ bool GoesAlong(const TriangleMesh& mesh, Index triangle, const Edge& edge)
   return false;
 }
 
-Eigen::Vector3d Normal(const TriangleMesh& mesh, Index triangle)
-{
-  const Eigen::Vector3d a = mesh.Points.row(mesh.Triangles(triangle, 0));
-  const Eigen::Vector3d b = mesh.Points.row(mesh.Triangles(triangle, 1));
-  const Eigen::Vector3d c = mesh.Points.row(mesh.Triangles(triangle, 2));
-  return (b - a).cross(c - a).normalized();
-}
-
 // Angles by which normals turn at the edges, positive where convex; 0 at edges that do not have two
 // triangles.
 std::vector<double> DihedralAngles(const EdgesInBalls& balls)
@@ -76,8 +68,8 @@ std::vector<double> DihedralAngles(const EdgesInBalls& balls)
     }
     const bool along = GoesAlong(mesh, sides[0], edge);
     const double turned = along == GoesAlong(mesh, sides[1], edge) ? -1.0 : 1.0;
-    const Eigen::Vector3d n = Normal(mesh, sides[0]);
-    const Eigen::Vector3d other = turned * Normal(mesh, sides[1]);
+    const Eigen::Vector3d n = AreaVector(mesh, sides[0]).normalized();
+    const Eigen::Vector3d other = turned * AreaVector(mesh, sides[1]).normalized();
     const Eigen::Vector3d direction =
       (mesh.Points.row(edge.second) - mesh.Points.row(edge.first)).normalized();
     angles.push_back(

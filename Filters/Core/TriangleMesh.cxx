@@ -58,19 +58,23 @@ double MeanEdgeLength(const TriangleMesh& mesh)
   return edges.empty() ? 0.0 : sum / static_cast<double>(edges.size());
 }
 
+Eigen::RowVector3d AreaVector(const TriangleMesh& mesh, Index triangle)
+{
+  const Eigen::RowVector3d p = mesh.Points.row(mesh.Triangles(triangle, 0));
+  const Eigen::RowVector3d q = mesh.Points.row(mesh.Triangles(triangle, 1));
+  const Eigen::RowVector3d r = mesh.Points.row(mesh.Triangles(triangle, 2));
+  return (q - p).cross(r - p);
+}
+
 TriangleMesh::PointMatrix VertexNormals(const TriangleMesh& mesh)
 {
   TriangleMesh::PointMatrix normals = TriangleMesh::PointMatrix::Zero(mesh.NumberOfVertices(), 3);
   for (Index t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    const auto corners = mesh.Triangles.row(t);
-    const Eigen::RowVector3d p = mesh.Points.row(corners[0]);
-    const Eigen::RowVector3d q = mesh.Points.row(corners[1]);
-    const Eigen::RowVector3d r = mesh.Points.row(corners[2]);
-    const Eigen::RowVector3d areaVector = (q - p).cross(r - p);
+    const Eigen::RowVector3d areaVector = AreaVector(mesh, t);
     for (int corner = 0; corner < 3; ++corner)
     {
-      normals.row(corners[corner]) += areaVector;
+      normals.row(mesh.Triangles(t, corner)) += areaVector;
     }
   }
   for (Index v = 0; v < normals.rows(); ++v)

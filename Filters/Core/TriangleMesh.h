@@ -42,6 +42,9 @@ std::map<Edge, std::vector<Index>> TrianglesOfEdges(const TriangleMesh& mesh);
 /// Mean length over UniqueEdges(), 0 without any: the paper's e-bar in 3.3.3.
 double MeanEdgeLength(const TriangleMesh& mesh);
 
+/// Normal of a triangle, twice as long as its area is large.
+Eigen::RowVector3d AreaVector(const TriangleMesh& mesh, Index triangle);
+
 /// Unit vertex normals, weighted by triangle area; 0 at a vertex without area. n x 3.
 TriangleMesh::PointMatrix VertexNormals(const TriangleMesh& mesh);
 

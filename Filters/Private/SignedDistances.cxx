@@ -3,8 +3,6 @@
 
 #include "Private/PolyDataMesh.h"
 
-#include <Eigen/Geometry>
-
 #include <vtkImageData.h>
 #include <vtkImplicitPolyDataDistance.h>
 #include <vtkNew.h>
@@ -79,11 +77,6 @@ private:
   {
     return this->Mesh.Points.row(this->Mesh.Triangles(triangle, corner));
   }
-  Point Normal(Index triangle) const
-  {
-    const Point a = this->Corner(triangle, 0);
-    return (this->Corner(triangle, 1) - a).cross(this->Corner(triangle, 2) - a);
-  }
 
   // The grid's points within so many steps of the triangle's box, [First, Last] along each axis.
   struct Box
@@ -131,7 +124,8 @@ void Grid::ComputeAround(Index triangle, vtkImplicitPolyDataDistance* distance)
 {
   const Box box = this->Around(triangle, Band - 1);
   const Point corner = this->Corner(triangle, 0);
-  const Point normal = this->Normal(triangle).normalized(); // 0 without area: is near everything
+  const Point normal =
+    AreaVector(this->Mesh, triangle).normalized(); // 0 without area: is near everything
   for (int z = box.First[2]; z <= box.Last[2]; ++z)
   {
     for (int y = box.First[1]; y <= box.Last[1]; ++y)
@@ -200,7 +194,7 @@ std::vector<std::vector<Crossing>> Grid::Crossings() const
   for (Index t = 0; t < this->Mesh.NumberOfTriangles(); ++t)
   {
     const Box box = this->Around(t, 0);
-    const Point normal = this->Normal(t);
+    const Point normal = AreaVector(this->Mesh, t);
     const Point corner = this->Corner(t, 0);
     for (int z = box.First[2]; z <= box.Last[2]; ++z)
     {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/SurfaceDistance.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 
@@ -50,10 +48,7 @@ Samples SampleSurface(const TriangleMesh& mesh)
   Eigen::VectorXd areas(mesh.NumberOfTriangles());
   for (Index t = 0; t < areas.size(); ++t)
   {
-    const Eigen::RowVector3d a = mesh.Points.row(mesh.Triangles(t, 0));
-    const Eigen::RowVector3d b = mesh.Points.row(mesh.Triangles(t, 1));
-    const Eigen::RowVector3d c = mesh.Points.row(mesh.Triangles(t, 2));
-    areas[t] = 0.5 * (b - a).cross(c - a).norm();
+    areas[t] = 0.5 * AreaVector(mesh, t).norm();
   }
   const double most = areas.sum() / LeastSamples;
   Samples samples;

@@ -245,8 +245,8 @@ TEST(FrameAlignment, FindsTheFrame)
   TriangleMesh marked = With(mesh, Marked(mesh, key, message).Points);
   const double step = StepOfNumber(ReadSolid(marked, key, 64, 2, Progress()).Hypothesis.Step);
   marked.Points = FrameOf(marked).ToFrame(marked.Points);
-  const Eigen::MatrixXd response = FrameResponse(marked, carriers, 2);
   const Eigen::VectorXd values = SolidSpectrum(marked, carriers.Waves, 2);
+  const Eigen::MatrixXd response = FrameResponse(marked, values, carriers, 2);
   Eigen::VectorXd off(7); // in steps, of the carriers' root mean square
   off << 0.12, -0.06, 0.1, 0.05, -0.1, 0.06, 0.2;
   const Eigen::VectorXd moved = values + step * response * off;
@@ -266,10 +266,10 @@ TEST(FrameAlignment, ResponseIsTheDerivative)
 {
   TriangleMesh mesh = Host(3);
   const Carriers carriers = CarriersOf(SecretKey("secret"), 16);
-  const Eigen::MatrixXd response = FrameResponse(mesh, carriers, 2);
+  const Eigen::VectorXd values = SolidSpectrum(mesh, carriers.Waves, 2);
+  const Eigen::MatrixXd response = FrameResponse(mesh, values, carriers, 2);
   ASSERT_EQ(response.rows(), carriers.Count());
   ASSERT_EQ(response.cols(), 7);
-  const Eigen::VectorXd values = SolidSpectrum(mesh, carriers.Waves, 2);
   const double small = 1e-4;
   const Eigen::Vector3d axes[3] = { Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
     Eigen::Vector3d::UnitZ() };
