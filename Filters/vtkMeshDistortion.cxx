@@ -68,6 +68,31 @@ bool Correspond(vtkPolyData* a, vtkPolyData* b)
 
 } // namespace
 
+struct vtkMeshDistortion::Surfaces
+{
+  Surfaces(vtkPolyData* reference, vtkPolyData* distorted)
+    : Before(sw::ToMesh(reference))
+    , After(sw::ToMesh(distorted))
+    , OnBefore(this->Before.Mesh)
+    , OnAfter(this->After.Mesh)
+  {
+  }
+
+  // Of a distorted mesh whose points correspond.
+  double Msdm(vtkPolyData* distorted) const
+  {
+    sw::TriangleMesh moved = this->Before.Mesh;
+    moved.Points = sw::PointsAt(distorted, this->Before.PointOfVertex);
+    return sw::CubicMean(sw::LocalMsdm(sw::EdgesInBalls(this->Before.Mesh), sw::EdgesInBalls(moved),
+      sw::LongestSide(this->Before.Mesh.Points), sw::ThreadsOfVtk()));
+  }
+
+  sw::PolyDataMesh Before;
+  sw::PolyDataMesh After;
+  sw::ClosestPoints OnBefore;
+  sw::ClosestPoints OnAfter;
+};
+
 int vtkMeshDistortion::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
@@ -88,16 +113,23 @@ int vtkMeshDistortion::RequestData(vtkInformation*, vtkInformationVector** input
       {
         this->ComparePoints(reference, distorted, output);
       }
-      const sw::Progress progress = sw::ProgressOf(this);
-      progress.Report(0.1);
+      sw::ProgressOf(this).Report(0.1);
+      if (!this->ComputeSurfaceDistances && !this->ComputePerceptualDistances)
+      {
+        return;
+      }
+      const Surfaces surfaces(reference, distorted);
       if (this->ComputeSurfaceDistances)
       {
-        this->CompareSurfaces(reference, distorted, output);
+        this->CompareSurfaces(surfaces, output);
       }
-      progress.Report(0.4);
       if (this->ComputePerceptualDistances)
       {
-        this->CompareAppearance(reference, distorted, correspond, output);
+        this->CompareAppearance(surfaces, output);
+        if (correspond)
+        {
+          this->MSDM = surfaces.Msdm(distorted);
+        }
       }
     });
 }
@@ -117,41 +149,27 @@ void vtkMeshDistortion::ComparePoints(vtkPolyData* reference, vtkPolyData* disto
   this->CurvDiff = curvature.mean();
 }
 
-void vtkMeshDistortion::CompareSurfaces(vtkPolyData* reference, vtkPolyData* distorted,
-  vtkPolyData* output)
+void vtkMeshDistortion::CompareSurfaces(const Surfaces& surfaces, vtkPolyData* output)
 {
-  const sw::PolyDataMesh before = sw::ToMesh(reference);
-  const sw::PolyDataMesh after = sw::ToMesh(distorted);
-  const double diagonal = sw::BoundingBoxDiagonal(before.Mesh.Points);
   const sw::Progress progress = sw::ProgressOf(this);
-  const sw::SurfaceDistance there = sw::DistanceTo(sw::ClosestPoints(after.Mesh), before.Mesh,
-    sw::ThreadsOfVtk(), progress.Part(0.1, 0.25));
-  const sw::SurfaceDistance back = sw::DistanceTo(sw::ClosestPoints(before.Mesh), after.Mesh,
-    sw::ThreadsOfVtk(), progress.Part(0.25, 0.4));
+  const int threads = sw::ThreadsOfVtk();
+  const sw::SurfaceDistance there =
+    sw::DistanceTo(surfaces.OnAfter, surfaces.Before.Mesh, threads, progress.Part(0.1, 0.25));
+  const sw::SurfaceDistance back =
+    sw::DistanceTo(surfaces.OnBefore, surfaces.After.Mesh, threads, progress.Part(0.25, 0.4));
+  const double diagonal = sw::BoundingBoxDiagonal(surfaces.Before.Mesh.Points);
   output->GetPointData()->AddArray(
-    sw::ToPointArray("SurfaceDistance", after, back.AtVertices / diagonal));
+    sw::ToPointArray("SurfaceDistance", surfaces.After, back.AtVertices / diagonal));
   this->MRMS = std::max(there.RootMeanSquare, back.RootMeanSquare) / diagonal;
   this->Hausdorff = std::max(there.Largest, back.Largest) / diagonal;
 }
 
-void vtkMeshDistortion::CompareAppearance(vtkPolyData* reference, vtkPolyData* distorted,
-  bool correspond, vtkPolyData* output)
+void vtkMeshDistortion::CompareAppearance(const Surfaces& surfaces, vtkPolyData* output)
 {
-  const sw::PolyDataMesh before = sw::ToMesh(reference);
-  const int threads = sw::ThreadsOfVtk();
-  const sw::Progress progress = sw::ProgressOf(this);
-  if (correspond)
-  {
-    sw::TriangleMesh moved = before.Mesh;
-    moved.Points = sw::PointsAt(distorted, before.PointOfVertex);
-    this->MSDM = sw::CubicMean(sw::LocalMsdm(sw::EdgesInBalls(before.Mesh), sw::EdgesInBalls(moved),
-      sw::LongestSide(before.Mesh.Points), threads));
-  }
-  progress.Report(0.5);
-  const sw::PolyDataMesh after = sw::ToMesh(distorted);
-  const sw::PerceptualDistance distance =
-    sw::Msdm2(before.Mesh, after.Mesh, threads, progress.Part(0.5, 1.0));
-  output->GetPointData()->AddArray(sw::ToPointArray("LocalMSDM2", after, distance.AtVertices));
+  const sw::PerceptualDistance distance = sw::Msdm2(surfaces.OnBefore, surfaces.OnAfter,
+    sw::ThreadsOfVtk(), sw::ProgressOf(this).Part(0.4, 0.9));
+  output->GetPointData()->AddArray(
+    sw::ToPointArray("LocalMSDM2", surfaces.After, distance.AtVertices));
   this->MSDM2 = distance.Symmetric;
 }
 

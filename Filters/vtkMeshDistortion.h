@@ -120,10 +120,10 @@ private:
   vtkMeshDistortion(const vtkMeshDistortion&) = delete;
   void operator=(const vtkMeshDistortion&) = delete;
 
+  struct Surfaces; // both meshes, prepared for what is asked of them
   void ComparePoints(vtkPolyData* reference, vtkPolyData* distorted, vtkPolyData* output);
-  void CompareSurfaces(vtkPolyData* reference, vtkPolyData* distorted, vtkPolyData* output);
-  void CompareAppearance(vtkPolyData* reference, vtkPolyData* distorted, bool correspond,
-    vtkPolyData* output);
+  void CompareSurfaces(const Surfaces& surfaces, vtkPolyData* output);
+  void CompareAppearance(const Surfaces& surfaces, vtkPolyData* output);
 
   bool ComputeSurfaceDistances = true;
   bool ComputePerceptualDistances = true;

@@ -33,6 +33,8 @@ public:
   ClosestPoints(const ClosestPoints&) = delete;
   void operator=(const ClosestPoints&) = delete;
 
+  const TriangleMesh& Mesh() const { return this->Surface; }
+
   /// One for each row of `points`.
   std::vector<SurfacePoint> To(const TriangleMesh::PointMatrix& points, int threads,
     const Progress& progress) const;

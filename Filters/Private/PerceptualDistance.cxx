@@ -2,7 +2,6 @@
 #include "Private/PerceptualDistance.h"
 
 #include "Core/StructuralDistortion.h"
-#include "Private/ClosestPoints.h"
 
 namespace spectralwatermark
 {
@@ -27,14 +26,12 @@ struct Side
 
 } // namespace
 
-PerceptualDistance Msdm2(const TriangleMesh& reference, const TriangleMesh& distorted, int threads,
-  const Progress& progress)
+PerceptualDistance Msdm2(const ClosestPoints& reference, const ClosestPoints& distorted,
+  int threads, const Progress& progress)
 {
-  const ClosestPoints onReference(reference);
-  const ClosestPoints onDistorted(distorted);
-  Side before(reference, onDistorted, threads, progress.Part(0.0, 0.1));
-  Side after(distorted, onReference, threads, progress.Part(0.1, 0.2));
-  const double side = LongestSide(reference.Points);
+  Side before(reference.Mesh(), distorted, threads, progress.Part(0.0, 0.1));
+  Side after(distorted.Mesh(), reference, threads, progress.Part(0.1, 0.2));
+  const double side = LongestSide(reference.Mesh().Points);
   const double part = 1.0 / static_cast<double>(Msdm2Radii.size());
   double done = 0.2;
   for (const double radius : Msdm2Radii)
@@ -45,12 +42,12 @@ PerceptualDistance Msdm2(const TriangleMesh& reference, const TriangleMesh& dist
     const Eigen::VectorXd now = side * NormalCycleCurvature(after.Balls, ball, threads);
     progress.Report(done + 0.3 * 0.8 * part);
     before.Local += part *
-      LocalStructuralDistortion(before.Balls, old, onDistorted.Interpolate(now, before.Matches),
+      LocalStructuralDistortion(before.Balls, old, distorted.Interpolate(now, before.Matches),
         window, threads);
     progress.Report(done + 0.6 * 0.8 * part);
     after.Local += part *
-      LocalStructuralDistortion(after.Balls, now, onReference.Interpolate(old, after.Matches),
-        window, threads);
+      LocalStructuralDistortion(after.Balls, now, reference.Interpolate(old, after.Matches), window,
+        threads);
     done += 0.8 * part;
     progress.Report(done);
   }

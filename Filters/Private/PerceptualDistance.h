@@ -2,8 +2,7 @@
 #ifndef SpectralWatermark_Private_PerceptualDistance_h
 #define SpectralWatermark_Private_PerceptualDistance_h
 
-#include "Core/Progress.h"
-#include "Core/TriangleMesh.h"
+#include "Private/ClosestPoints.h"
 
 namespace spectralwatermark
 {
@@ -16,8 +15,8 @@ struct PerceptualDistance
     AtVertices; ///< of the distorted mesh: the local measure, mean of the three scales
 };
 
-PerceptualDistance Msdm2(const TriangleMesh& reference, const TriangleMesh& distorted, int threads,
-  const Progress& progress);
+PerceptualDistance Msdm2(const ClosestPoints& reference, const ClosestPoints& distorted,
+  int threads, const Progress& progress);
 
 } // namespace spectralwatermark
 
