@@ -47,14 +47,6 @@ double Volume(const Corners& c)
   return c[0].dot(c[1].cross(c[2])) / 6.0;
 }
 
-// Whether the triangle goes from a to b along this edge of its own.
-bool Goes(const TriangleMesh& mesh, Index t, Index a, Index b)
-{
-  const auto corners = mesh.Triangles.row(t);
-  return (corners[0] == a && corners[1] == b) || (corners[1] == a && corners[2] == b) ||
-    (corners[2] == a && corners[0] == b);
-}
-
 struct Neighbour
 {
   Index Triangle;
@@ -69,8 +61,8 @@ std::vector<std::vector<Neighbour>> NeighboursAcrossEdges(const TriangleMesh& me
   {
     if (sides.size() == 2)
     {
-      const bool alike = Goes(mesh, sides[0], edge.first, edge.second) !=
-        Goes(mesh, sides[1], edge.first, edge.second);
+      const bool alike = GoesAlong(mesh, sides[0], edge.first, edge.second) !=
+        GoesAlong(mesh, sides[1], edge.first, edge.second);
       neighbours[static_cast<std::size_t>(sides[0])].push_back({ sides[1], alike });
       neighbours[static_cast<std::size_t>(sides[1])].push_back({ sides[0], alike });
     }

@@ -37,19 +37,6 @@ void ForEachVertex(const EdgesInBalls& balls, int threads, const Work& work)
     });
 }
 
-// Whether the triangle goes along the edge from its first vertex to its second.
-bool GoesAlong(const TriangleMesh& mesh, Index triangle, const Edge& edge)
-{
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    if (mesh.Triangles(triangle, corner) == edge.first)
-    {
-      return mesh.Triangles(triangle, (corner + 1) % 3) == edge.second;
-    }
-  }
-  return false;
-}
-
 // Angles by which normals turn at the edges, positive where convex; 0 at edges that do not have two
 // triangles.
 std::vector<double> DihedralAngles(const EdgesInBalls& balls)
@@ -66,8 +53,8 @@ std::vector<double> DihedralAngles(const EdgesInBalls& balls)
       angles.push_back(0.0);
       continue;
     }
-    const bool along = GoesAlong(mesh, sides[0], edge);
-    const double turned = along == GoesAlong(mesh, sides[1], edge) ? -1.0 : 1.0;
+    const bool along = GoesAlong(mesh, sides[0], edge.first, edge.second);
+    const double turned = along == GoesAlong(mesh, sides[1], edge.first, edge.second) ? -1.0 : 1.0;
     const Eigen::Vector3d n = AreaVector(mesh, sides[0]).normalized();
     const Eigen::Vector3d other = turned * AreaVector(mesh, sides[1]).normalized();
     const Eigen::Vector3d direction =

@@ -58,6 +58,13 @@ double MeanEdgeLength(const TriangleMesh& mesh)
   return edges.empty() ? 0.0 : sum / static_cast<double>(edges.size());
 }
 
+bool GoesAlong(const TriangleMesh& mesh, Index triangle, Index from, Index to)
+{
+  const auto corners = mesh.Triangles.row(triangle);
+  return (corners[0] == from && corners[1] == to) || (corners[1] == from && corners[2] == to) ||
+    (corners[2] == from && corners[0] == to);
+}
+
 Eigen::RowVector3d AreaVector(const TriangleMesh& mesh, Index triangle)
 {
   const Eigen::RowVector3d p = mesh.Points.row(mesh.Triangles(triangle, 0));

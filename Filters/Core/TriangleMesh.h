@@ -42,6 +42,9 @@ std::map<Edge, std::vector<Index>> TrianglesOfEdges(const TriangleMesh& mesh);
 /// Mean length over UniqueEdges(), 0 without any: the paper's e-bar in 3.3.3.
 double MeanEdgeLength(const TriangleMesh& mesh);
 
+/// Whether an edge of the triangle goes from one vertex to the other.
+bool GoesAlong(const TriangleMesh& mesh, Index triangle, Index from, Index to);
+
 /// Normal of a triangle, twice as long as its area is large.
 Eigen::RowVector3d AreaVector(const TriangleMesh& mesh, Index triangle);
 
