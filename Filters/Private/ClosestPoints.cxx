@@ -7,9 +7,11 @@
 #include <vtkDataSet.h>
 #include <vtkGenericCell.h>
 #include <vtkPolyData.h>
+#include <vtkSMPTools.h>
 #include <vtkStaticCellLocator.h>
 
 #include <algorithm>
+#include <string>
 
 namespace spectralwatermark
 {
@@ -50,7 +52,10 @@ ClosestPoints::ClosestPoints(const TriangleMesh& surface)
   , PolyData(ToPolyData(surface, false))
 {
   this->Locator->SetDataSet(this->PolyData);
-  this->Locator->BuildLocator();
+  // Of triangles that are equally close, the one that comes first in its bin is taken: their order must
+  // not depend on threads.
+  vtkSMPTools::LocalScope(vtkSMPTools::Config(std::string("Sequential")),
+    [this]() { this->Locator->BuildLocator(); });
 }
 
 ClosestPoints::~ClosestPoints() = default;

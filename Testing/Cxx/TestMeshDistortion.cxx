@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <vector>
 
 using namespace filtertesting;
 
@@ -222,6 +223,38 @@ TEST(MeshDistortion, PerceptualDistanceFollowsRoughness)
   distortion->SetInputConnection(1, after->GetOutputPort());
   distortion->Update();
   EXPECT_NEAR(distortion->GetMSDM2(), last, 1e-3 * last);
+}
+
+// Quantised coarsely, triangles fold onto each other: which of two that are equally close is taken must
+// not depend on how threads fared.
+TEST(MeshDistortion, IsTheSameEveryTime)
+{
+  const auto mesh = PolyData(shapes::Bumpy(6));
+  vtkNew<vtkMeshAttack> quantise;
+  quantise->SetInputData(mesh);
+  quantise->SetAttackToQuantization();
+  quantise->SetQuantizationBits(6);
+  quantise->Update();
+  const auto localDistortions = [&]()
+  {
+    vtkNew<vtkMeshDistortion> distortion;
+    distortion->SetInputData(0, mesh);
+    distortion->SetInputData(1, quantise->GetOutput());
+    distortion->ComputeSurfaceDistancesOff();
+    distortion->Update();
+    vtkDataArray* array = PointArray(distortion->GetOutput(), "LocalMSDM2");
+    std::vector<double> values;
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      values.push_back(array->GetComponent(i, 0));
+    }
+    return values;
+  };
+  const std::vector<double> first = localDistortions();
+  for (int run = 0; run < 4; ++run)
+  {
+    EXPECT_EQ(localDistortions(), first);
+  }
 }
 
 TEST(MeshDistortion, NeedsASurfaceOnBothPorts)
