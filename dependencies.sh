@@ -2,8 +2,8 @@
 # none is. Root is asked for (through sudo) only then.
 
 BUILD_PACKAGES=(g++ cmake ninja-build libvtk9-dev python3-vtk9 python3-numpy libeigen3-dev
-  libspectra-dev libsodium-dev libmetis-dev)
-DEMO_PACKAGES=(glmark2-data python3-tqdm xvfb xauth libgl1-mesa-dri)
+  libspectra-dev libsodium-dev libmetis-dev python3-shtab python3-tqdm)
+DEMO_PACKAGES=(glmark2-data xvfb xauth libgl1-mesa-dri)
 TEST_PACKAGES=(libgtest-dev clang-format)
 FULL_TEST_PACKAGES=(clang clang-tidy libomp-dev)
 

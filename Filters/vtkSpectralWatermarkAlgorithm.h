@@ -6,16 +6,17 @@
  * Superclass of vtkSpectralWatermarkEmbed and vtkSpectralWatermarkDetect. A mark is read with the
  * properties it was embedded with.
  *
+ * Scheme Robust, the default: bits live in the Fourier transform of the solid that the surface
+ * encloses, at wave vectors that the secret key decides, quantised with a secret dither and protected
+ * by the extended Golay code and a check. The mark belongs to the solid, not to its triangles. It
+ * needs a surface that encloses a volume; small holes do no harm. NumberOfBits and the secret key are
+ * its only properties here. Filters/README.md explains what it is made of, why it holds and what
+ * breaks it. Without a secret key it works with a public one: anyone can then read the mark, or find
+ * it.
+ *
  * Scheme PaperSlots (paper, 2.2.3 and 3.2.1): bit i lives in slot i, the SlotSize components from
  * FirstComponent + i SlotSize on. In each slot one component, the carrier, is compared with the
- * average of reference components around it.
- *
- * Scheme Robust: bits live in the Fourier transform of the solid that the surface encloses, at wave
- * vectors that the secret key decides, quantised with a secret dither and protected by the extended
- * Golay code and a check. The mark belongs to the solid, not to its triangles. It needs a surface
- * that encloses a volume; small holes do no harm. NumberOfBits and the secret key are its only
- * properties here. Filters/README.md explains what it is made of, why it holds and what breaks it.
- * Without a secret key it works with a public one: anyone can then read the mark, or find it.
+ * average of reference components around it. It needs no volume: any surface goes.
  *
  * PaperSlots with a secret key (SecretKey or SecretKeyFile): the carrier's place in each slot is drawn from
  * the key, uniformly from positions 2 to SlotSize - 1, and the message is whitened with a
@@ -62,7 +63,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the scheme. Default PaperSlots (0). Another value is an error when the filter runs.
+   * Set/Get the scheme. Default Robust (1). Another value is an error when the filter runs.
    */
   vtkSetMacro(Scheme, int);
   vtkGetMacro(Scheme, int);
@@ -155,7 +156,7 @@ public:
   ///@{
   /**
    * Set/Get how many bits: those to read, and those of a message derived from the secret key.
-   * Default 5 for PaperSlots and 64 for Robust, which is what 0 stands for; the getter gives the
+   * Default 64 for Robust and 5 for PaperSlots, which is what 0 stands for; the getter gives the
    * number that is used. Robust takes up to 1024. A message that is given decides instead.
    */
   vtkSetClampMacro(NumberOfBits, int, 0, 1000000);
@@ -164,9 +165,10 @@ public:
 
   ///@{
   /**
-   * Set the secret key, any text; "" or nullptr for none, the default: carriers are then at
-   * CarrierPosition and nothing is whitened. There is no getter, and nothing prints it:
-   * GetHasSecretKey() tells whether there is one, here or in SecretKeyFile.
+   * Set the secret key, any text; "" or nullptr for none, the default: Robust then works with a
+   * public key, and PaperSlots has its carriers at CarrierPosition and whitens nothing. There is no
+   * getter, and nothing prints it: GetHasSecretKey() tells whether there is one, here or in
+   * SecretKeyFile.
    */
   void SetSecretKey(const char* secret);
   int GetHasSecretKey() const;
@@ -217,7 +219,7 @@ private:
   vtkSpectralWatermarkAlgorithm(const vtkSpectralWatermarkAlgorithm&) = delete;
   void operator=(const vtkSpectralWatermarkAlgorithm&) = delete;
 
-  int Scheme = PaperSlots;
+  int Scheme = Robust;
   int SlotDivision = Normal;
   int FirstComponent = 21;
   int SlotSize = 10;

@@ -15,6 +15,8 @@
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 
+#include <cmath>
+
 namespace sw = spectralwatermark;
 
 vtkStandardNewMacro(vtkSpectralWatermarkDetect);
@@ -100,8 +102,9 @@ void vtkSpectralWatermarkDetect::ReadSolid(vtkPolyData* input, vtkTable* table)
   if (!wanted.empty())
   {
     this->CountErrors(wanted);
-    this->PValue = sw::PValueOf(reading, sw::DataOf(wanted, *key, sw::CarriersOf(*key, bits)));
-    this->Detected = this->PValue <= this->FalsePositiveRate ? 1 : 0;
+    const std::string data = sw::DataOf(wanted, *key, sw::CarriersOf(*key, bits));
+    this->PValue = sw::PValueOf(reading, data);
+    this->Judge(std::ldexp(1.0, -static_cast<int>(data.size())));
   }
 }
 
@@ -154,14 +157,17 @@ void vtkSpectralWatermarkDetect::Compare(const std::vector<sw::SlotReading>& rea
   this->PValue = this->Detector == Likelihood
     ? sw::WeightedAgreementPValue(readings, slots, wanted)
     : sw::AgreementPValue(this->ExtractedMessage, wanted, unmarked);
+  this->Judge(sw::AgreementPValue(wanted, wanted, unmarked));
+}
+
+void vtkSpectralWatermarkDetect::Judge(double smallestPValue)
+{
   this->Detected = this->PValue <= this->FalsePositiveRate ? 1 : 0;
-  const double smallest = sw::AgreementPValue(wanted, wanted, unmarked);
-  if (smallest > this->FalsePositiveRate)
+  if (smallestPValue > this->FalsePositiveRate)
   {
-    vtkWarningMacro(<< wanted.size() << " bits cannot prove a mark at a false positive rate of "
-                    << this->FalsePositiveRate << ": even full agreement happens by chance with "
-                    << "probability " << smallest
-                    << ". Embed more bits, or raise FalsePositiveRate");
+    vtkWarningMacro("so few bits cannot prove a mark at a false positive rate of "
+      << this->FalsePositiveRate << ": even full agreement happens by chance with probability "
+      << smallestPValue << ". Embed more bits, or raise FalsePositiveRate");
   }
 }
 

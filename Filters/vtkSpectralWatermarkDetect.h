@@ -3,25 +3,25 @@
  * @class   vtkSpectralWatermarkDetect
  * @brief   Reads a message from a mesh, blind, and says how likely chance would agree as well
  *
- * Computes the mesh's spectrum and compares each slot's carrier with its references (paper, 2.4,
- * eq. 12). Needs nothing but the mesh and the properties that the mark was embedded with, the
- * secret key among them when there was one. A basis on the input (vtkManifoldHarmonics, lumped, enough harmonics) is used instead of a new
- * one.
+ * Needs nothing but the mesh and the properties that the mark was embedded with, the secret key
+ * among them when there was one. Output port 0: the input mesh. Output port 1: a vtkTable, see the
+ * schemes.
  *
- * Output port 0: the input mesh. Output port 1: a vtkTable with a row per bit: `Slot`,
- * `Component` (1-based), `Magnitude`, `Average`, `Deviation` (length^2), `Margin`
- * ((magnitude - average) / deviation, with the opposite sign where a key's keystream inverts the
- * slot: positive reads 1), `Bit`, `LogLikelihoodRatio0` and `LogLikelihoodRatio1` (natural
- * logarithms: how much likelier the slot is under a mark with that bit than under none, see
- * SetDetector()), `Confidence` (from 0 to 1: the probability of that bit if the
- * mesh carries a mark, by the likelihoods of SetDetector()).
+ * Scheme Robust, the default: reads the carriers in the solid's own frame, trying the steps that they
+ * may have been quantised with, the signs of the frame's axes where they are unclear, smoothings that
+ * may have to be undone first, and small movements of the frame; the best fit is what is read.
+ * GetMessageIsValid() tells whether the message's check holds: by chance it does so for one mesh in a
+ * million. The table has a row per carrier: `Carrier`, `Value`, `Margin` (from -1, surely 0, to 1,
+ * surely 1), `Bit` (of the code, before correction).
  *
- * Scheme Robust: reads the carriers in the solid's own frame, trying the steps that they may have been
- * quantised with, the signs of the frame's axes where they are unclear, smoothings that may have to be
- * undone first, and small movements of the frame; the best fit is what is read. GetMessageIsValid()
- * tells whether the message's check holds: by chance it does so for one mesh in a million. Port 1: a
- * row per carrier: `Carrier`, `Value`, `Margin` (from -1, surely 0, to 1, surely 1), `Bit` (of the
- * code, before correction).
+ * Scheme PaperSlots: computes the mesh's spectrum and compares each slot's carrier with its
+ * references (paper, 2.4, eq. 12). A basis on the input (vtkManifoldHarmonics, lumped, enough
+ * harmonics) is used instead of a new one. The table has a row per bit: `Slot`, `Component`
+ * (1-based), `Magnitude`, `Average`, `Deviation` (length^2), `Margin` ((magnitude - average) /
+ * deviation, with the opposite sign where a key's keystream inverts the slot: positive reads 1),
+ * `Bit`, `LogLikelihoodRatio0` and `LogLikelihoodRatio1` (natural logarithms: how much likelier the
+ * slot is under a mark with that bit than under none, see SetDetector()), `Confidence` (from 0 to 1:
+ * the probability of that bit if the mesh carries a mark, by the likelihoods of SetDetector()).
  *
  * Set ExpectedMessage, or UseDerivedMessage with a secret key, to have the verdict:
  * GetBitErrorRate(), GetCorrelation(), GetPValue(), GetLogLikelihoodRatio() and GetDetected().
@@ -29,18 +29,18 @@
  * The p-value is the probability that an unmarked mesh agrees with the expected message at least
  * as well. Robust: what an unmarked mesh reads is uniform over all messages and checks, under a key,
  * whatever the mesh and whatever was tried to read it, so that the number of their bits that agree is
- * exactly binomial (84 bits for a message of 64: 5e-26 when all agree). Without a secret key the dither
- * is public: that then holds for meshes that were not made to agree. PaperSlots, with a
- * secret key it is exact: each bit then agrees like a fair coin of the key,
- * whatever the mesh. Without one, bits of unmarked meshes are not fair (0 is the likelier) and the
- * p-value is an upper bound from how 15 unmarked scans read: their slots (of 10 components, from 21
- * to 300) read 1 in at most 52 % and 0 in at most 60 % of all cases (57 % in narrow slots), for
- * every scan and carrier position.
+ * exactly binomial (84 bits for a message of 64: 5e-26 when all agree). Without a secret key the
+ * dither is public: that then holds for meshes that were not made to agree. PaperSlots, with a secret
+ * key: exact too, each bit agrees like a fair coin of the key, whatever the mesh. Without one, bits of
+ * unmarked meshes are not fair (0 is the likelier) and the p-value is an upper bound from how 15
+ * unmarked scans read: their slots (of 10 components, from 21 to 300) read 1 in at most 52 % and 0 in
+ * at most 60 % of all cases (57 % in narrow slots), for every scan and carrier position.
  *
  * Errors (vtkErrorMacro, an error code, empty outputs): as for vtkManifoldHarmonics; an expected
  * message with characters other than 0 and 1; UseDerivedMessage without a secret key or with an
- * ExpectedMessage; a key file that cannot be used; slots that contradict each other, reach past
- * the harmonics that the mesh has, or into the constant ones.
+ * ExpectedMessage; a key file that cannot be used; with Robust, a surface that encloses no volume;
+ * with PaperSlots, slots that contradict each other, reach past the harmonics that the mesh has, or
+ * into the constant ones.
  *
  * @sa
  * vtkSpectralWatermarkEmbed
@@ -88,7 +88,7 @@ public:
   ///@}
 
   /**
-   * Detectors. HardDecisions counts the bits that agree (eq. 12). Likelihood weighs each by its
+   * Detectors of PaperSlots. HardDecisions counts the bits that agree (eq. 12). Likelihood weighs each by its
    * evidence: how much likelier the carrier is under one bit than under the other, after an
    * embedding by eq. 10 or 11 (BitEmbedding, TurbulenceFactor) and attacks like the paper's, given
    * how the carriers of unmarked scans are spread. The bits that are read are the same.
@@ -101,7 +101,7 @@ public:
 
   ///@{
   /**
-   * Set/Get what the p-value is made from. Default HardDecisions.
+   * Set/Get what the p-value of PaperSlots is made from. Default HardDecisions.
    */
   vtkSetClampMacro(Detector, int, HardDecisions, Likelihood);
   vtkGetMacro(Detector, int);
@@ -113,8 +113,9 @@ public:
   ///@{
   /**
    * Set/Get the largest p-value that counts as a detection. Default 1e-6, in (0, 1]. The p-value
-   * of n bits is never under that of full agreement, with a key 2^-n: where the rate asked for is
-   * out of reach, a vtkWarningMacro says so.
+   * is never under that of full agreement: 2^-n for n bits, where Robust has at least 20 bits more
+   * than the message, those of its check. Where the rate asked for is out of reach, a
+   * vtkWarningMacro says so.
    */
   vtkSetClampMacro(FalsePositiveRate, double, VTK_DBL_MIN, 1.0);
   vtkGetMacro(FalsePositiveRate, double);
@@ -156,8 +157,8 @@ public:
   /**
    * Get the natural logarithm of how much likelier the carriers' magnitudes are if the mesh carries
    * the expected message than if it is unmarked: the optimal statistic as far as the likelihoods
-   * of SetDetector() hold. 0 without an expected message, and for Robust. Not calibrated: for a certainty use
-   * GetPValue().
+   * of SetDetector() hold. 0 without an expected message, and for Robust. Not calibrated: for a
+   * certainty use GetPValue().
    */
   vtkGetMacro(LogLikelihoodRatio, double);
 
@@ -186,6 +187,7 @@ private:
   void ReadSlots(vtkPolyData* input, vtkTable* table);
   void ReadSolid(vtkPolyData* input, vtkTable* table);
   void CountErrors(const std::string& wanted);
+  void Judge(double smallestPValue);
   void Compare(const std::vector<spectralwatermark::SlotReading>& readings,
     const spectralwatermark::SlotOptions& slots, const std::string& wanted);
 

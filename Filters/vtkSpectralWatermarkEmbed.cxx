@@ -125,9 +125,9 @@ void vtkSpectralWatermarkEmbed::EmbedInSolid(vtkPolyData* input, vtkPolyData* ou
   options.Message = this->WantedMessage(key.get());
   if (options.Message.empty())
   {
-    throw sw::InvalidInput(
-      "there is no message to embed: set Message, or a secret key that derives "
-      "one");
+    throw sw::InvalidInput("the message is empty: set SecretKey or SecretKeyFile, and it is "
+                           "derived from the key; or set "
+                           "Message");
   }
   options.MaximumDistortion = this->MaximumDistortion / 100.0;
   options.Threads = sw::ThreadsOfVtk();

@@ -1,34 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSpectralWatermarkEmbed
- * @brief   Hides a message in the spectrum of a triangle mesh
+ * @brief   Hides a message in a triangle mesh
  *
- * Scheme PaperSlots: embeds a bit into one magnitude of each slot (paper, eqs. 10 and 11) and repeats with the
- * changed mesh's own basis until the message is read back blind (paper, 2.3). Only the change of
- * the spectrum is transformed back and added to the points, so that no detail is lost. What is
- * checked are the points exactly as they leave the filter, rounded to their output precision.
- *
- * Scheme Robust: moves the points along their normals by the smallest displacement, in root mean
- * square over the surface, that puts all carriers where the message wants them, as firmly as
- * MaximumDistortion allows, and reads the result blind. GetDistortion() tells what was spent,
+ * Scheme Robust, the default: moves the points along their normals by the smallest displacement, in
+ * root mean square over the surface, that puts all carriers where the message wants them, as firmly
+ * as MaximumDistortion allows, and reads the result blind. GetDistortion() tells what was spent,
  * GetMargin() how firmly the weakest carrier holds.
+ *
+ * Scheme PaperSlots: embeds a bit into one magnitude of each slot (paper, eqs. 10 and 11) and repeats
+ * with the changed mesh's own basis until the message is read back blind (paper, 2.3). Only the
+ * change of the spectrum is transformed back and added to the points, so that no detail is lost.
+ *
+ * In both, what is checked are the points exactly as they leave the filter, rounded to their output
+ * precision.
  *
  * Output port 0: the marked mesh, with the input's cells and attributes, the new points, and
  * point data `GeometricDistortion` (double: each point's displacement as a fraction of the
  * input's bounding-box diagonal). Arrays of a basis are left out: it no longer fits. Points used
  * by no polygon do not move; points at the same place stay together.
  *
- * Output port 1: a vtkTable with a row per iteration and slot: `Iteration` (0: the input),
- * `Slot` and `Component` (1-based), `Magnitude`, `Average`, `Deviation` (length^2), `BitWanted`,
- * `BitRead`; for Robust a row per iteration: `Iteration`, `Distortion` (percent of the diagonal),
- * `LargestError` (of a carrier, in steps of its quantisation; over 0.25 reads another bit).
+ * Output port 1: a vtkTable with a row per iteration: `Iteration` (0: the input), `Distortion`
+ * (percent of the diagonal), `LargestError` (of a carrier, in steps of its quantisation; over 0.25
+ * reads another bit); for PaperSlots a row per iteration and slot: `Iteration`, `Slot` and
+ * `Component` (1-based), `Magnitude`, `Average`, `Deviation` (length^2), `BitWanted`, `BitRead`.
  *
- * A basis on the input (vtkManifoldHarmonics, lumped, at least as many harmonics as the slots
+ * PaperSlots: a basis on the input (vtkManifoldHarmonics, lumped, at least as many harmonics as the slots
  * need) serves the first iteration.
  *
- * Not converged after MaximumNumberOfIterations: the output is the mesh that read the most bits
+ * Not converged (PaperSlots: after MaximumNumberOfIterations): the output is the mesh that read the most bits
  * right, GetConverged() is 0, GetExtractedMessage() is what it reads, and a vtkWarningMacro says
- * so. This is no error: narrow slots and symmetric models often need a larger TurbulenceFactor.
+ * so. This is no error. In PaperSlots narrow slots and symmetric models often need a larger TurbulenceFactor.
  *
  * Errors (vtkErrorMacro, an error code, empty outputs): as for vtkManifoldHarmonics; an empty
  * message without a secret key, or one with characters other than 0 and 1; a key file that cannot
@@ -38,7 +40,7 @@
  * @code{.cpp}
  * vtkNew<vtkSpectralWatermarkEmbed> embed;
  * embed->SetInputConnection(reader->GetOutputPort());
- * embed->SetMessage("10110");
+ * embed->SetSecretKeyFile("my.key"); // the message is derived from it
  * embed->Update();
  * if (!embed->GetConverged()) { ... }
  * @endcode
@@ -65,10 +67,10 @@ public:
 
   ///@{
   /**
-   * Set/Get the bits to embed (the paper's "key"), a string of 0 and 1. Default "10110" for
-   * PaperSlots and "" for Robust. n bits in PaperSlots need FirstComponent - 1 + n SlotSize
-   * harmonics. Empty with a secret key: NumberOfBits bits derived from the key, so that there is
-   * nothing else to remember. Empty without one: an error.
+   * Set/Get the bits to embed (the paper's "key"), a string of 0 and 1. Default "" for Robust and
+   * "10110" for PaperSlots. Empty with a secret key: NumberOfBits bits derived from the key, so that
+   * there is nothing else to remember. Empty without one: an error. n bits in PaperSlots need
+   * FirstComponent - 1 + n SlotSize harmonics.
    */
   void SetMessage(const char* message);
   const char* GetMessage() const;
@@ -76,8 +78,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the paper's extraction threshold: embedding stops as soon as that many bits are read
-   * back right. Default 0: all. More than there are bits means all.
+   * Set/Get the paper's extraction threshold: PaperSlots stops as soon as that many bits are read
+   * back right. Default 0: all. More than there are bits means all. Robust always wants all.
    */
   vtkSetClampMacro(RequiredBits, int, 0, VTK_INT_MAX);
   vtkGetMacro(RequiredBits, int);
@@ -85,7 +87,7 @@ public:
 
   ///@{
   /**
-   * Set/Get after how many iterations to give up. Default 20, at least 1.
+   * Set/Get after how many iterations PaperSlots gives up. Default 20, at least 1.
    */
   vtkSetClampMacro(MaximumNumberOfIterations, int, 1, VTK_INT_MAX);
   vtkGetMacro(MaximumNumberOfIterations, int);
@@ -151,8 +153,8 @@ public:
   vtkGetMacro(NumberOfIterationsUsed, int);
 
   /**
-   * Get how many bases the last update computed: one per iteration, and one for the input unless
-   * it brought its own.
+   * Get how many bases the last update computed: for PaperSlots one per iteration, and one for the
+   * input unless it brought its own; 0 for Robust.
    */
   vtkGetMacro(NumberOfEigensolves, int);
 

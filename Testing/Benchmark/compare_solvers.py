@@ -245,16 +245,15 @@ def scale(bench: Bench, folder: Path, runs: int) -> None:
 
 def draw(path: Path, rows: Sequence[dict], axis: str, title: str) -> None:
     """Time against one of the two, both axes logarithmic."""
-    sys.path.insert(0, str(SOURCE / "Examples" / "Python"))
-    import mesh_pictures
+    from spectralwatermark import pictures
 
-    table = mesh_pictures.table_of(
+    table = pictures.table_of(
         **{name: [float(row[name]) for row in rows] for name in (axis, "seconds")})
     grown = exponent((row[axis] for row in rows), (row["seconds"] for row in rows))
-    mesh_pictures.write_chart(
+    pictures.write_chart(
         path,
-        [mesh_pictures.Curve(table, axis, "seconds", f"on the whole, {axis}^{grown:.2f}", "SteelBlue"),
-         mesh_pictures.Curve(table, axis, "seconds", "measured", "Firebrick", markers_only=True)],
+        [pictures.Curve(table, axis, "seconds", f"on the whole, {axis}^{grown:.2f}", "SteelBlue"),
+         pictures.Curve(table, axis, "seconds", "measured", "Firebrick", markers_only=True)],
         title, (axis, "seconds"), logarithmic=True, logarithmic_x=True)
 
 

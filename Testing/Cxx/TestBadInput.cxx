@@ -10,7 +10,6 @@
 #include <vtkManifoldHarmonicsSimilarity.h>
 #include <vtkMath.h>
 #include <vtkMeshAttack.h>
-#include <vtkMeshDistortion.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -24,36 +23,6 @@ using namespace filtertesting;
 
 namespace
 {
-
-std::vector<vtkSmartPointer<vtkPolyDataAlgorithm>> EveryFilter()
-{
-  std::vector<vtkSmartPointer<vtkPolyDataAlgorithm>> filters;
-  filters.emplace_back(vtkSmartPointer<vtkManifoldHarmonics>::New());
-  auto reconstruction = vtkSmartPointer<vtkManifoldHarmonicsReconstruction>::New();
-  reconstruction->SetNumberOfHarmonics(20);
-  filters.emplace_back(reconstruction);
-  auto similarity = vtkSmartPointer<vtkManifoldHarmonicsSimilarity>::New();
-  similarity->SetNumberOfHarmonics(20);
-  filters.emplace_back(similarity);
-  filters.emplace_back(vtkSmartPointer<vtkSpectralWatermarkEmbed>::New());
-  filters.emplace_back(vtkSmartPointer<vtkSpectralWatermarkDetect>::New());
-  for (int kind = vtkMeshAttack::Rotation; kind <= vtkMeshAttack::NonUniformScaling; ++kind)
-  {
-    auto attack = vtkSmartPointer<vtkMeshAttack>::New();
-    attack->SetAttack(kind);
-    filters.emplace_back(attack);
-  }
-  filters.emplace_back(vtkSmartPointer<vtkMeshDistortion>::New());
-  return filters;
-}
-
-void SetEveryInput(vtkPolyDataAlgorithm* filter, vtkPolyData* mesh)
-{
-  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
-  {
-    filter->SetInputData(port, mesh);
-  }
-}
 
 void ExpectEmptyOutputs(vtkPolyDataAlgorithm* filter)
 {
@@ -139,6 +108,7 @@ TEST(BadInput, UnusedPointsMayBeAnything)
   const auto mesh = PolyData(shapes::Bumpy(3));
   mesh->GetPoints()->InsertNextPoint(vtkMath::Nan(), 0.0, 0.0);
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputData(mesh);
   embed->Update();
   EXPECT_EQ(embed->GetErrorCode(), vtkErrorCode::NoError);
@@ -177,6 +147,7 @@ TEST(BadInput, NoAreaAtAll)
   harmonics->SetInputData(needle);
   ExpectErrorFrom(harmonics, "zero area");
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputData(needle);
   ExpectEmbedError(embed, "zero area");
 }
@@ -204,20 +175,26 @@ TEST(BadInput, MessageOfOtherCharacters)
 
 TEST(BadInput, EmptyMessage)
 {
-  vtkNew<vtkSpectralWatermarkEmbed> embed;
-  embed->SetInputData(PolyData(shapes::Bumpy(3)));
-  for (const char* message : { "", static_cast<const char*>(nullptr) })
+  for (const int scheme :
+    { vtkSpectralWatermarkEmbed::PaperSlots, vtkSpectralWatermarkEmbed::Robust })
   {
-    embed->SetMessage(message);
-    EXPECT_STREQ(embed->GetMessage(), "");
-    ExpectEmbedError(embed, "the message is empty");
-    embed->SetMessage("1");
+    vtkNew<vtkSpectralWatermarkEmbed> embed;
+    embed->SetScheme(scheme);
+    embed->SetInputData(PolyData(shapes::Bumpy(3)));
+    for (const char* message : { "", static_cast<const char*>(nullptr) })
+    {
+      embed->SetMessage(message);
+      EXPECT_STREQ(embed->GetMessage(), "");
+      ExpectEmbedError(embed, "the message is empty");
+      embed->SetMessage("1");
+    }
   }
 }
 
 TEST(BadInput, MessageLongerThanTheSpectrum)
 {
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputData(PolyData(shapes::Bumpy(2))); // 162 vertices
   embed->SetMessage("101010101010101");
   ExpectEmbedError(embed, "15 bits need 170 harmonics, and the mesh has no more than 162");
@@ -226,6 +203,7 @@ TEST(BadInput, MessageLongerThanTheSpectrum)
 TEST(BadInput, SlotsBeyondTheHarmonics)
 {
   vtkNew<vtkSpectralWatermarkDetect> detect;
+  detect->SetSchemeToPaperSlots();
   detect->SetInputData(PolyData(shapes::Bumpy(2)));
   detect->SetFirstComponent(150);
   ExpectErrorFrom(detect, "5 bits need 199 harmonics, and the mesh has no more than 162");
@@ -236,6 +214,7 @@ TEST(BadInput, CarrierOutsideItsSlot)
   for (const int position : { 1, 10, 0, -4 })
   {
     vtkNew<vtkSpectralWatermarkEmbed> embed;
+    embed->SetSchemeToPaperSlots();
     embed->SetInputData(PolyData(shapes::Bumpy(3)));
     embed->SetCarrierPosition(position);
     ExpectEmbedError(embed, "is not inside its slot: choose 2 to SlotSize - 1, here 9");
@@ -256,9 +235,11 @@ TEST(BadInput, SlotsAmongTheConstantsOfManyComponents)
   const std::vector<shapes::TriangleMesh> parts(25, shapes::Icosphere(1));
   const auto mesh = PolyData(shapes::Union(parts, 3.0));
   vtkNew<vtkSpectralWatermarkDetect> detect;
+  detect->SetSchemeToPaperSlots();
   detect->SetInputData(mesh);
   ExpectErrorFrom(detect, "the mesh has 25 components");
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputData(mesh);
   ExpectEmbedError(embed, "Set FirstComponent to 26 or more");
 }

@@ -35,6 +35,7 @@ protected:
     move->SetInputConnection(this->Harmonics->GetOutputPort());
     move->SetTransform(transform);
     vtkNew<vtkSpectralWatermarkDetect> detect;
+    detect->SetSchemeToPaperSlots();
     detect->SetInputConnection(move->GetOutputPort());
     detect->Update();
     EXPECT_NE(PointArray(move->GetOutput(), "ManifoldHarmonics"), nullptr);
@@ -49,11 +50,13 @@ protected:
 TEST_F(BasisReuse, DetectComputesNoneBehindHarmonics)
 {
   vtkNew<vtkSpectralWatermarkDetect> detect;
+  detect->SetSchemeToPaperSlots();
   detect->SetInputConnection(this->Harmonics->GetOutputPort());
   detect->Update();
   EXPECT_EQ(detect->GetNumberOfEigensolves(), 0);
 
   vtkNew<vtkSpectralWatermarkDetect> alone;
+  alone->SetSchemeToPaperSlots();
   alone->SetInputConnection(this->Harmonics->GetOutputPort());
   alone->SetNumberOfBits(7); // 90 harmonics: more than there are
   alone->Update();
@@ -64,9 +67,11 @@ TEST_F(BasisReuse, DetectComputesNoneBehindHarmonics)
 TEST_F(BasisReuse, EmbedSavesItsFirstSolveAndComesToTheSameMesh)
 {
   vtkNew<vtkSpectralWatermarkEmbed> with;
+  with->SetSchemeToPaperSlots();
   with->SetInputConnection(this->Harmonics->GetOutputPort());
   with->Update();
   vtkNew<vtkSpectralWatermarkEmbed> without;
+  without->SetSchemeToPaperSlots();
   without->SetInputData(PolyData(shapes::Bumpy(4)));
   without->Update();
   EXPECT_EQ(with->GetNumberOfEigensolves(), with->GetNumberOfIterationsUsed());
@@ -85,6 +90,7 @@ TEST_F(BasisReuse, EmbedSavesItsFirstSolveAndComesToTheSameMesh)
 TEST_F(BasisReuse, FiltersThatMovePointsDropTheBasis)
 {
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputConnection(this->Harmonics->GetOutputPort());
   embed->Update();
   vtkNew<vtkMeshAttack> attack;
@@ -127,6 +133,7 @@ TEST_F(BasisReuse, AConsistentBasisIsNotTakenForALumpedOne)
 {
   this->Harmonics->SetMassMatrixToConsistent();
   vtkNew<vtkSpectralWatermarkDetect> detect;
+  detect->SetSchemeToPaperSlots();
   detect->SetInputConnection(this->Harmonics->GetOutputPort());
   detect->Update();
   EXPECT_EQ(detect->GetNumberOfEigensolves(), 1);

@@ -68,6 +68,7 @@ TEST(MeshDistortion, ArraysAverageToTheGetters)
 {
   const auto mesh = PolyData(shapes::Bumpy(3));
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputData(mesh);
   vtkNew<vtkMeshDistortion> distortion;
   distortion->SetInputData(0, mesh);

@@ -5,16 +5,12 @@
 #include <vtkCompositeDataIterator.h>
 #include <vtkDataArray.h>
 #include <vtkManifoldHarmonics.h>
-#include <vtkManifoldHarmonicsReconstruction.h>
-#include <vtkManifoldHarmonicsSimilarity.h>
 #include <vtkMeshAttack.h>
-#include <vtkMeshDistortion.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
-#include <vtkSpectralWatermarkDetect.h>
 #include <vtkSpectralWatermarkEmbed.h>
 #include <vtkTable.h>
 
@@ -32,29 +28,10 @@ using Filters = std::vector<vtkSmartPointer<vtkPolyDataAlgorithm>>;
 
 Filters EveryFilterOn(vtkPolyData* mesh)
 {
-  Filters filters;
-  filters.emplace_back(vtkSmartPointer<vtkManifoldHarmonics>::New());
-  auto reconstruction = vtkSmartPointer<vtkManifoldHarmonicsReconstruction>::New();
-  reconstruction->SetNumberOfHarmonics(60);
-  filters.emplace_back(reconstruction);
-  auto similarity = vtkSmartPointer<vtkManifoldHarmonicsSimilarity>::New();
-  similarity->SetNumberOfHarmonics(60);
-  filters.emplace_back(similarity);
-  filters.emplace_back(vtkSmartPointer<vtkSpectralWatermarkEmbed>::New());
-  filters.emplace_back(vtkSmartPointer<vtkSpectralWatermarkDetect>::New());
-  for (int kind = vtkMeshAttack::Rotation; kind <= vtkMeshAttack::NonUniformScaling; ++kind)
-  {
-    auto attack = vtkSmartPointer<vtkMeshAttack>::New();
-    attack->SetAttack(kind);
-    filters.emplace_back(attack);
-  }
-  filters.emplace_back(vtkSmartPointer<vtkMeshDistortion>::New());
+  Filters filters = EveryFilter();
   for (const auto& filter : filters)
   {
-    for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
-    {
-      filter->SetInputData(port, mesh);
-    }
+    SetEveryInput(filter, mesh);
   }
   return filters;
 }
@@ -62,8 +39,11 @@ Filters EveryFilterOn(vtkPolyData* mesh)
 std::string NameOf(vtkPolyDataAlgorithm* filter)
 {
   auto* attack = vtkMeshAttack::SafeDownCast(filter);
-  return std::string(filter->GetClassName()) +
-    (attack != nullptr ? std::string(" ") + attack->GetAttackAsString() : "");
+  auto* watermark = vtkSpectralWatermarkAlgorithm::SafeDownCast(filter);
+  const char* kind = attack != nullptr ? attack->GetAttackAsString()
+    : watermark != nullptr             ? watermark->GetSchemeAsString()
+                                       : "";
+  return std::string(filter->GetClassName()) + " " + kind;
 }
 
 // Every point coordinate and every point array, byte by byte.
@@ -114,6 +94,7 @@ TEST(Pipeline, ProgressRisesFromLowToOne)
 TEST(Pipeline, LongFiltersReportOften)
 {
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputData(PolyData(shapes::Bumpy(4)));
   Listener listener(embed);
   embed->Update();
@@ -142,6 +123,7 @@ TEST(Pipeline, AbortEmptiesTheOutputWithoutAnError)
 TEST(Pipeline, AbortInTheMiddleOfEmbedding)
 {
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputData(PolyData(shapes::Bumpy(4)));
   Listener listener(embed);
   listener.AbortAt(0.5);
@@ -213,6 +195,7 @@ TEST(Pipeline, CompositeDataGoesBlockByBlock)
   }
 
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputConnection(harmonics->GetOutputPort());
   embed->Update();
   auto* marked = vtkMultiBlockDataSet::SafeDownCast(embed->GetOutputDataObject(0));

@@ -42,6 +42,7 @@ TEST_P(RealMesh, CarriesFiveBits)
     GTEST_SKIP() << reason;
   }
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputData(mesh);
   if (std::string(GetParam()) == "ogre")
   {
@@ -53,6 +54,7 @@ TEST_P(RealMesh, CarriesFiveBits)
   ASSERT_EQ(embed->GetOutput()->GetNumberOfPoints(), mesh->GetNumberOfPoints());
 
   vtkNew<vtkSpectralWatermarkDetect> detect;
+  detect->SetSchemeToPaperSlots();
   detect->SetInputConnection(embed->GetOutputPort());
   detect->SetFirstComponent(embed->GetFirstComponent());
   detect->Update();
@@ -81,12 +83,14 @@ TEST_P(RealMesh, NoModeClaimsAWrongSuccess)
       { vtkSpectralWatermarkEmbed::Aggressive, vtkSpectralWatermarkEmbed::NonAggressive })
     {
       vtkNew<vtkSpectralWatermarkEmbed> embed;
+      embed->SetSchemeToPaperSlots();
       embed->SetInputConnection(harmonics->GetOutputPort());
       embed->SetFirstComponent(std::string(GetParam()) == "ogre" ? 45 : 21);
       embed->SetSlotDivision(division);
       embed->SetBitEmbedding(embedding);
       Listener listener(embed);
       vtkNew<vtkSpectralWatermarkDetect> detect;
+      detect->SetSchemeToPaperSlots();
       detect->SetInputConnection(embed->GetOutputPort());
       detect->SetFirstComponent(embed->GetFirstComponent());
       detect->SetSlotDivision(division);
@@ -115,6 +119,7 @@ void ExpectBitsAfter(vtkMeshAttack* attack, vtkPolyData* marked)
 {
   attack->SetInputData(marked);
   vtkNew<vtkSpectralWatermarkDetect> detect;
+  detect->SetSchemeToPaperSlots();
   detect->SetInputConnection(attack->GetOutputPort());
   detect->Update();
   EXPECT_STREQ(detect->GetExtractedMessage(), "10110") << attack->GetAttackAsString();
@@ -133,6 +138,7 @@ TEST(RealMeshes, MarkSurvivesSimilaritiesAndMildAttacks)
     GTEST_SKIP() << reason;
   }
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputData(mesh);
   embed->Update();
   ASSERT_EQ(embed->GetConverged(), 1);

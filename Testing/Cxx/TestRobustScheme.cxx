@@ -33,7 +33,6 @@ vtkSmartPointer<vtkSpectralWatermarkEmbed> EmbedIn(vtkPolyData* mesh, const char
 {
   auto embed = vtkSmartPointer<vtkSpectralWatermarkEmbed>::New();
   embed->SetInputData(mesh);
-  embed->SetSchemeToRobust();
   embed->SetSecretKey(secret);
   return embed;
 }
@@ -43,7 +42,6 @@ vtkSmartPointer<vtkSpectralWatermarkDetect> DetectIn(vtkPolyData* mesh, const ch
 {
   auto detect = vtkSmartPointer<vtkSpectralWatermarkDetect>::New();
   detect->SetInputData(mesh);
-  detect->SetSchemeToRobust();
   detect->SetSecretKey(secret);
   detect->UseDerivedMessageOn();
   return detect;
@@ -104,12 +102,11 @@ void ExpectMineAfterEveryAttack(vtkPolyData* marked, double largest)
 
 } // namespace
 
-TEST(RobustScheme, HasItsOwnDefaults)
+TEST(RobustScheme, IsTheDefaultAndHasItsOwnDefaults)
 {
   vtkNew<vtkSpectralWatermarkEmbed> embed;
-  EXPECT_STREQ(embed->GetMessage(), "10110");
-  EXPECT_EQ(embed->GetNumberOfBits(), 5);
-  embed->SetSchemeToRobust();
+  EXPECT_EQ(vtkNew<vtkSpectralWatermarkDetect>()->GetScheme(), vtkSpectralWatermarkDetect::Robust);
+  EXPECT_EQ(embed->GetScheme(), vtkSpectralWatermarkEmbed::Robust);
   EXPECT_STREQ(embed->GetSchemeAsString(), "Robust");
   EXPECT_STREQ(embed->GetMessage(), "");
   EXPECT_EQ(embed->GetNumberOfBits(), 64);
@@ -121,6 +118,11 @@ TEST(RobustScheme, HasItsOwnDefaults)
   EXPECT_EQ(embed->GetNumberOfBits(), 32);
   embed->SetNumberOfBits(0);
   EXPECT_EQ(embed->GetNumberOfBits(), 64);
+
+  vtkNew<vtkSpectralWatermarkEmbed> papers;
+  papers->SetSchemeToPaperSlots();
+  EXPECT_STREQ(papers->GetMessage(), "10110");
+  EXPECT_EQ(papers->GetNumberOfBits(), 5);
 }
 
 TEST(RobustScheme, ReportsTheCapacityWhenAsked)
@@ -186,13 +188,11 @@ TEST(RobustScheme, CarriesAMessageForEveryoneWithoutAKey)
 {
   vtkNew<vtkSpectralWatermarkEmbed> embed;
   embed->SetInputData(Host(4, true));
-  embed->SetSchemeToRobust();
   embed->SetMessage("110010111");
   embed->Update();
   EXPECT_EQ(embed->GetConverged(), 1);
   vtkNew<vtkSpectralWatermarkDetect> detect;
   detect->SetInputConnection(embed->GetOutputPort());
-  detect->SetSchemeToRobust();
   detect->SetNumberOfBits(9);
   detect->Update();
   EXPECT_STREQ(detect->GetExtractedMessage(), "110010111");
@@ -244,7 +244,7 @@ TEST(RobustScheme, SaysWhatItCannotDo)
   embed->SetNumberOfBits(5000);
   expectError(embed, "takes messages of 1 to 1024 bits, not 5000");
   embed = EmbedIn(mesh, "");
-  expectError(embed, "there is no message to embed");
+  expectError(embed, "the message is empty");
   embed = EmbedIn(mesh, "mine");
   embed->SetMessage("10x");
   expectError(embed, "0 and 1");

@@ -51,6 +51,8 @@ class SecretKeys : public testing::Test
 protected:
   SecretKeys()
   {
+    this->Embed->SetSchemeToPaperSlots();
+    this->Detect->SetSchemeToPaperSlots();
     this->Embed->SetInputData(PolyData(shapes::Bumpy(4)));
     this->Embed->SetSecretKey("the right key");
     this->Embed->SetMessage("");

@@ -28,6 +28,7 @@ namespace
 std::string Read(vtkPolyData* mesh, int bits = 5)
 {
   vtkNew<vtkSpectralWatermarkDetect> detect;
+  detect->SetSchemeToPaperSlots();
   detect->SetInputData(mesh);
   detect->SetNumberOfBits(bits);
   detect->Update();
@@ -45,10 +46,10 @@ vtkSmartPointer<vtkPolyData> Moved(vtkPolyData* mesh, vtkTransform* transform)
 
 } // namespace
 
-TEST(WatermarkFilters, DefaultsAreThePapers)
+TEST(WatermarkFilters, PaperSlotsDefaultsAreThePapers)
 {
   vtkNew<vtkSpectralWatermarkEmbed> embed;
-  EXPECT_EQ(embed->GetScheme(), vtkSpectralWatermarkEmbed::PaperSlots);
+  embed->SetSchemeToPaperSlots();
   EXPECT_STREQ(embed->GetSchemeAsString(), "PaperSlots");
   EXPECT_STREQ(embed->GetMessage(), "10110");
   EXPECT_STREQ(embed->GetBitEmbeddingAsString(), "Aggressive");
@@ -61,6 +62,7 @@ TEST(WatermarkFilters, DefaultsAreThePapers)
   EXPECT_EQ(embed->GetMaximumNumberOfIterations(), 20);
   EXPECT_STREQ(embed->GetExtractedMessage(), "");
   vtkNew<vtkSpectralWatermarkDetect> detect;
+  detect->SetSchemeToPaperSlots();
   EXPECT_EQ(detect->GetNumberOfBits(), 5);
   EXPECT_STREQ(detect->GetExpectedMessage(), "");
   EXPECT_EQ(detect->GetFalsePositiveRate(), 1e-6);
@@ -70,6 +72,7 @@ TEST(WatermarkFilters, MarkIsReadBackBlind)
 {
   const auto mesh = PolyData(shapes::Bumpy(4), true);
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputData(mesh);
   for (const char* message : { "10110", "01001", "111", "00000000" })
   {
@@ -87,6 +90,7 @@ TEST(WatermarkFilters, OutputIsTheInputMovedALittle)
   const auto mesh = PolyData(shapes::Bumpy(4));
   const vtkIdType lonely = mesh->GetPoints()->InsertNextPoint(3.0, 2.0, 1.0);
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputData(mesh);
   embed->Update();
   vtkPolyData* marked = embed->GetOutput();
@@ -115,11 +119,13 @@ TEST(WatermarkFilters, SeamsDoNotTear)
 {
   const auto soup = Soup(shapes::Bumpy(4));
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputData(soup);
   embed->Update();
   ASSERT_EQ(embed->GetConverged(), 1);
   // The same place before means the same place after.
   vtkNew<vtkSpectralWatermarkEmbed> whole;
+  whole->SetSchemeToPaperSlots();
   whole->SetInputData(PolyData(shapes::Bumpy(4)));
   whole->Update();
   const shapes::TriangleMesh shape = shapes::Bumpy(4);
@@ -142,6 +148,7 @@ TEST(WatermarkFilters, SeamsDoNotTear)
 TEST(WatermarkFilters, TablesTellTheStory)
 {
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputData(PolyData(shapes::Bumpy(4)));
   embed->Update();
   auto* history = vtkTable::SafeDownCast(embed->GetOutputDataObject(1));
@@ -163,6 +170,7 @@ TEST(WatermarkFilters, TablesTellTheStory)
   }
 
   vtkNew<vtkSpectralWatermarkDetect> detect;
+  detect->SetSchemeToPaperSlots();
   detect->SetInputConnection(embed->GetOutputPort());
   detect->Update();
   auto* bits = vtkTable::SafeDownCast(detect->GetOutputDataObject(1));
@@ -187,9 +195,11 @@ TEST(WatermarkFilters, TablesTellTheStory)
 TEST(WatermarkFilters, VerdictOnAnExpectedMessage)
 {
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputData(PolyData(shapes::Bumpy(4)));
   embed->Update();
   vtkNew<vtkSpectralWatermarkDetect> detect;
+  detect->SetSchemeToPaperSlots();
   Listener listener(detect);
   detect->SetInputConnection(embed->GetOutputPort());
   detect->SetFalsePositiveRate(0.05);
@@ -236,6 +246,7 @@ TEST(WatermarkFilters, SimilaritiesNeverChangeABit)
   for (const bool storesFloat : { false, true })
   {
     vtkNew<vtkSpectralWatermarkEmbed> embed;
+    embed->SetSchemeToPaperSlots();
     embed->SetInputData(PolyData(shapes::Bumpy(4), storesFloat));
     embed->Update();
     ASSERT_EQ(embed->GetConverged(), 1);
@@ -267,11 +278,13 @@ TEST(WatermarkFilters, FarFromTheOriginNothingIsLost)
   moved->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   moved->Update();
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputConnection(moved->GetOutputPort());
   embed->Update();
   EXPECT_EQ(embed->GetConverged(), 1);
   EXPECT_EQ(Read(embed->GetOutput()), "10110");
   vtkNew<vtkSpectralWatermarkEmbed> embedNear;
+  embedNear->SetSchemeToPaperSlots();
   embedNear->SetInputData(near);
   embedNear->Update();
   EXPECT_EQ(embed->GetNumberOfIterationsUsed(), embedNear->GetNumberOfIterationsUsed());
@@ -280,6 +293,7 @@ TEST(WatermarkFilters, FarFromTheOriginNothingIsLost)
 TEST(WatermarkFilters, SurvivesAFloatFile)
 {
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputData(PolyData(shapes::Bumpy(4)));
   embed->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
   embed->Update();
@@ -300,6 +314,7 @@ TEST(WatermarkFilters, SurvivesAFloatFile)
 TEST(WatermarkFilters, NonConvergenceWarnsAndReturnsTheBestMesh)
 {
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   Listener listener(embed);
   embed->SetInputData(PolyData(shapes::Bumpy(3)));
   embed->SetMessage("11111111");
@@ -316,6 +331,7 @@ TEST(WatermarkFilters, NonConvergenceWarnsAndReturnsTheBestMesh)
 TEST(WatermarkFilters, ThresholdIsHonoured)
 {
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputData(PolyData(shapes::Bumpy(4)));
   embed->SetRequiredBits(1);
   embed->Update();
@@ -328,6 +344,7 @@ TEST(WatermarkFilters, QuantisedMeshesCarryAMark)
   const shapes::TriangleMesh rounded = Quantized(shapes::Bumpy(5), 5);
   ASSERT_GT(DegenerateShare(rounded), 0.6);
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->SetInputData(PolyData(rounded));
   embed->Update();
   EXPECT_EQ(embed->GetErrorCode(), 0u);
@@ -338,6 +355,7 @@ TEST(WatermarkFilters, PrintTheirProperties)
 {
   std::ostringstream text;
   vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
   embed->Print(text);
   for (const char* name : { "Scheme: PaperSlots", "SlotDivision: Normal", "FirstComponent: 21",
          "SlotSize: 10", "CarrierPosition: 5", "Message: 10110", "TurbulenceFactor: 1",

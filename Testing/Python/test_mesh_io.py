@@ -142,6 +142,7 @@ class RoundTripTest(InFolder):
         for single in (True, False):
             embed = vtkSpectralWatermarkEmbed()
             embed.SetInputData(original)
+            embed.SetSchemeToPaperSlots()
             embed.SetMessage(MESSAGE)
             embed.SetOutputPointsPrecision(
                 embed.SINGLE_PRECISION if single else embed.DOUBLE_PRECISION)
@@ -155,6 +156,7 @@ class RoundTripTest(InFolder):
                 copy = self.through(marked, suffix)
                 detect = vtkSpectralWatermarkDetect()
                 detect.SetInputData(copy)
+                detect.SetSchemeToPaperSlots()
                 detect.SetNumberOfBits(len(MESSAGE))
                 detect.Update()
                 self.assertEqual(detect.GetExtractedMessage(), MESSAGE)

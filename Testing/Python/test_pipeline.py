@@ -84,12 +84,14 @@ class PipelineTest(unittest.TestCase):
     def test_embed_attack_detect(self):
         embed = vtkSpectralWatermarkEmbed()
         embed.SetInputConnection(self.triangles.GetOutputPort())
+        embed.SetSchemeToPaperSlots()
         embed.SetMessage("0110")
         attack = vtkMeshAttack()
         attack.SetInputConnection(embed.GetOutputPort())
         attack.SetAttackToRotation()
         detect = vtkSpectralWatermarkDetect()
         detect.SetInputConnection(attack.GetOutputPort())
+        detect.SetSchemeToPaperSlots()
         detect.SetNumberOfBits(4)
         detect.Update()
         # One pipeline: the update reached the embedding.

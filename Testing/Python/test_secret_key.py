@@ -65,6 +65,7 @@ class SecretKeyTest(unittest.TestCase):
     def detector(self, secret):
         detect = vtkSpectralWatermarkDetect()
         detect.SetInputData(self.mesh)
+        detect.SetSchemeToPaperSlots()
         detect.SetSecretKey(secret)
         detect.SetNumberOfBits(BITS)
         detect.SetFalsePositiveRate(1.0)

@@ -43,6 +43,7 @@ class WrappingTest(unittest.TestCase):
         self.assertEqual(embed.GetBitEmbedding(), vtkSpectralWatermarkEmbed.Aggressive)
         embed.SetSlotDivision(vtkSpectralWatermarkEmbed.InterleavedNarrow)
         self.assertEqual(embed.GetSlotDivisionAsString(), "InterleavedNarrow")
+        self.assertEqual(embed.GetSchemeAsString(), "Robust")
         embed.SetScheme(0)
         self.assertEqual(embed.GetSchemeAsString(), "PaperSlots")
         attack = vtkMeshAttack()

@@ -9,11 +9,18 @@
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkManifoldHarmonics.h>
+#include <vtkManifoldHarmonicsReconstruction.h>
+#include <vtkManifoldHarmonicsSimilarity.h>
+#include <vtkMeshAttack.h>
+#include <vtkMeshDistortion.h>
 #include <vtkNew.h>
 #include <vtkPLYReader.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSpectralWatermarkDetect.h>
+#include <vtkSpectralWatermarkEmbed.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -113,6 +120,46 @@ bool SamePoints(vtkPolyData* a, vtkPolyData* b)
     }
   }
   return true;
+}
+
+std::vector<vtkSmartPointer<vtkPolyDataAlgorithm>> EveryFilter()
+{
+  std::vector<vtkSmartPointer<vtkPolyDataAlgorithm>> filters;
+  filters.emplace_back(vtkSmartPointer<vtkManifoldHarmonics>::New());
+  auto reconstruction = vtkSmartPointer<vtkManifoldHarmonicsReconstruction>::New();
+  reconstruction->SetNumberOfHarmonics(60);
+  filters.emplace_back(reconstruction);
+  auto similarity = vtkSmartPointer<vtkManifoldHarmonicsSimilarity>::New();
+  similarity->SetNumberOfHarmonics(60);
+  filters.emplace_back(similarity);
+  for (const int scheme :
+    { vtkSpectralWatermarkEmbed::PaperSlots, vtkSpectralWatermarkEmbed::Robust })
+  {
+    auto embed = vtkSmartPointer<vtkSpectralWatermarkEmbed>::New();
+    embed->SetScheme(scheme);
+    embed->SetMessage("10110");
+    filters.emplace_back(embed);
+    auto detect = vtkSmartPointer<vtkSpectralWatermarkDetect>::New();
+    detect->SetScheme(scheme);
+    detect->SetNumberOfBits(5);
+    filters.emplace_back(detect);
+  }
+  for (int kind = vtkMeshAttack::Rotation; kind <= vtkMeshAttack::NonUniformScaling; ++kind)
+  {
+    auto attack = vtkSmartPointer<vtkMeshAttack>::New();
+    attack->SetAttack(kind);
+    filters.emplace_back(attack);
+  }
+  filters.emplace_back(vtkSmartPointer<vtkMeshDistortion>::New());
+  return filters;
+}
+
+void SetEveryInput(vtkPolyDataAlgorithm* filter, vtkPolyData* mesh)
+{
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    filter->SetInputData(port, mesh);
+  }
 }
 
 Listener::Listener(vtkAlgorithm* filter)

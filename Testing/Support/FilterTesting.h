@@ -14,6 +14,7 @@ class vtkAlgorithm;
 class vtkDataArray;
 class vtkObject;
 class vtkPolyData;
+class vtkPolyDataAlgorithm;
 
 namespace filtertesting
 {
@@ -36,6 +37,13 @@ vtkDataArray* FieldArray(vtkPolyData* data, const char* name);
 
 /// Whether both hold the same points to the last bit.
 bool SamePoints(vtkPolyData* a, vtkPolyData* b);
+
+/// One of each filter, the watermarks in both schemes and an attack of every kind, ready to run on
+/// shapes::Bumpy(4).
+std::vector<vtkSmartPointer<vtkPolyDataAlgorithm>> EveryFilter();
+
+/// The mesh on every input port of the filter.
+void SetEveryInput(vtkPolyDataAlgorithm* filter, vtkPolyData* mesh);
 
 /// Listens to one filter: its errors, warnings and progress, none of which reach the terminal.
 class Listener

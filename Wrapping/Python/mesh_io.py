@@ -71,7 +71,7 @@ from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkOBJWriter, vtkSTLReader, v
 from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
-__all__ = ["MeshFileError", "read_mesh", "stores_float", "write_mesh"]
+__all__ = ["MeshFileError", "check_writable", "read_mesh", "stores_float", "write_file", "write_mesh"]
 
 _COLOURS = "colours"  # the array's name, as the PLY writer is told it
 
@@ -108,19 +108,26 @@ def write_mesh(mesh: vtkPolyData, path: str | os.PathLike) -> None:
     A file that is there already keeps its permissions, and stays as it is when writing fails.
     """
     path = Path(path)
-    if path.is_dir():
-        raise MeshFileError(f"{path}: this is a folder; name a file in it")
+    check_writable(path)
     suffix = _suffix(path, _WRITERS, "write")
-    target = Path(os.path.realpath(path))  # a link goes on pointing
-    if not target.parent.is_dir():
-        raise MeshFileError(f"{path}: there is no folder {path.parent}; make it first")
     if mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
         raise MeshFileError(f"{path}: not written: no polygons in the mesh")
-    partial = target.with_name(f".{secrets.token_hex(8)}.partial{suffix}")
-    try:
+
+    def write(partial: Path) -> None:
         _check_cells(mesh)
-        partial.touch()  # says why, where VTK would only say that it cannot
         _WRITERS[suffix](mesh, partial)
+
+    write_file(path, write)
+
+
+def write_file(path: str | os.PathLike, write: Callable[[Path], object]) -> None:
+    """Has write() fill a file beside `path`, then renames it: whole or not at all."""
+    path = Path(path)
+    target = Path(os.path.realpath(path))  # a link goes on pointing
+    partial = target.with_name(f".{secrets.token_hex(8)}.partial{target.suffix.lower()}")
+    try:
+        partial.touch()  # says why, where VTK would only say that it cannot
+        write(partial)
         if target.exists():
             shutil.copymode(target, partial)
         partial.replace(target)
@@ -130,6 +137,18 @@ def write_mesh(mesh: vtkPolyData, path: str | os.PathLike) -> None:
         raise MeshFileError(f"{path}: cannot be written: {error.strerror}") from error
     finally:
         partial.unlink(missing_ok=True)
+
+
+def check_writable(path: str | os.PathLike) -> None:
+    """Raises MeshFileError when no file of this name can be made: before the work, not after it."""
+    path = Path(path)
+    if path.is_dir():
+        raise MeshFileError(f"{path}: this is a folder; name a file in it")
+    folder = Path(os.path.realpath(path)).parent
+    if not folder.is_dir():
+        raise MeshFileError(f"{path}: there is no folder {path.parent}; make it first")
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise MeshFileError(f"{path}: cannot be written: no permission to write into {path.parent}")
 
 
 def stores_float(path: str | os.PathLike) -> bool:

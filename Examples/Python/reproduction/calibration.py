@@ -8,6 +8,8 @@ import zlib
 
 import numpy as np
 from spectralwatermark import vtkSpectralWatermarkDetect
+from spectralwatermark.mesh_io import read_mesh
+from spectralwatermark.running import update
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .detection import (
@@ -21,7 +23,6 @@ from .detection import (
 from .experiments import SEED
 from .keys import key_streams, secret
 from .models import Model
-from .running import read_mesh, update
 from .spectra import SLOT_SIZE, magnitudes_of, with_enough_harmonics
 
 HARMONICS = 300
@@ -152,6 +153,7 @@ def filter_says(
 ) -> tuple[float, float, float]:
     detector = vtkSpectralWatermarkDetect()
     detector.SetInputData(mesh)
+    detector.SetSchemeToPaperSlots()
     detector.SetFirstComponent(first)
     detector.SetSlotDivision(division)
     detector.SetSecretKey(key)

@@ -14,10 +14,10 @@ from spectralwatermark import (
     vtkSpectralWatermarkDetect,
     vtkSpectralWatermarkEmbed,
 )
+from spectralwatermark.running import FilterError, update
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .models import Model
-from .running import FilterError, update
 from .spectra import BITS, SLOT_SIZE, harmonics_of, magnitudes_of, original_of
 
 SEED = 2008
@@ -103,6 +103,7 @@ def _run(
     watermark: vtkSpectralWatermarkAlgorithm, mesh: vtkPolyData, mode: Mode, first: int
 ) -> None:
     watermark.SetInputData(mesh)
+    watermark.SetSchemeToPaperSlots()
     watermark.SetFirstComponent(first)
     watermark.SetSlotDivision(mode.division)
     watermark.SetBitEmbedding(mode.embedding)

@@ -11,15 +11,17 @@ import hashlib
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-import mesh_pictures as pictures
 import numpy as np
 from spectralwatermark import (
+    pictures,
     vtkManifoldHarmonicsReconstruction,
     vtkManifoldHarmonicsSimilarity,
     vtkMeshAttack,
     vtkMeshDistortion,
     vtkSpectralWatermarkEmbed,
 )
+from spectralwatermark.mesh_io import read_mesh
+from spectralwatermark.running import update
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
 from vtkmodules.vtkRenderingCore import vtkCamera
@@ -28,7 +30,6 @@ from . import experiments
 from .experiments import ATTACK, MODE, Mode
 from .models import ORIENTATIONS, UPRIGHT, Model
 from .roc import Curve
-from .running import read_mesh, update
 from .spectra import harmonics_of, magnitudes_of, original_of
 
 NAMES = {
@@ -266,6 +267,7 @@ def _evolution(model: Model, turbulence: float) -> dict:
     mesh, _ = original_of(model)
     embed = vtkSpectralWatermarkEmbed()
     embed.SetInputData(mesh)
+    embed.SetSchemeToPaperSlots()
     embed.SetMessage("1")
     embed.SetFirstComponent(COMPONENT - 5)
     embed.SetCarrierPosition(6)

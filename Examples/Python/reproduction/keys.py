@@ -12,10 +12,11 @@ from typing import NamedTuple
 
 import numpy as np
 from spectralwatermark import vtkMeshAttack, vtkSpectralWatermarkDetect
+from spectralwatermark.mesh_io import read_mesh
+from spectralwatermark.running import update
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .models import PEBBLE
-from .running import read_mesh, update
 from .spectra import BELOW_FIRST_SLOT, SLOT_SIZE, harmonics_of
 
 LONGEST = 25  # bits; the streams of shorter messages are their beginnings
@@ -60,6 +61,7 @@ def _tiny_mesh(harmonics: int) -> vtkPolyData:
 def _detector(mesh: vtkPolyData, key: str) -> vtkSpectralWatermarkDetect:
     detector = vtkSpectralWatermarkDetect()
     detector.SetInputData(mesh)
+    detector.SetSchemeToPaperSlots()
     detector.SetSecretKey(key)
     detector.SetFalsePositiveRate(1.0)
     return detector

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 
+from spectralwatermark.markup import STYLE, Line, percent, table
+
 from . import (
     paper,
     results,
@@ -19,7 +21,6 @@ from . import (
 )
 from .experiments import MODES
 from .files import INDEX, write_text
-from .markup import STYLE, Line, percent, table
 from .models import FOLDER_VARIABLE
 from .plan import Plan
 from .section_figures import Figures

@@ -10,12 +10,13 @@ from pathlib import Path
 
 import numpy as np
 
+from spectralwatermark.markup import Cell, Line, figure, percent, table
+
 from . import calibration, detection, results
 from .calibration import ALPHAS, DIVISIONS
 from .experiments import ATTACK
 from .figures import NAMES, draw_roc
 from .files import write_csv
-from .markup import Cell, Line, figure, percent, table
 from .plan import Plan
 from .results import BitStatistics, Rates, RocSummary
 from .spectra import BITS

@@ -7,9 +7,10 @@ from html import escape
 
 import numpy as np
 
+from spectralwatermark.markup import Cell, Line, table
+
 from . import paper, results
 from .experiments import MODES
-from .markup import Cell, Line, table
 from .plan import Plan
 from .section_robustness import read_of, verdict_of
 from .store import Store

@@ -9,11 +9,12 @@ from pathlib import Path
 
 import numpy as np
 
+from spectralwatermark.markup import figure
+
 from . import plan as planning
 from .experiments import MODE
 from .figures import COMPONENT, NAMES, SHOWN_HARMONICS
 from .files import write_csv
-from .markup import figure
 from .plan import Drawing, Plan
 from .store import Store
 

@@ -7,10 +7,11 @@ from collections.abc import Sequence
 from html import escape
 from pathlib import Path
 
+from spectralwatermark.markup import Cell, Line, heat, percent, table
+
 from . import results
 from .experiments import ATTACK, MODES, UNATTACKED, Mode
 from .files import write_csv
-from .markup import Cell, Line, heat, percent, table
 from .models import Model
 from .plan import ATTACKED_MESSAGES, Plan
 from .results import Robustness

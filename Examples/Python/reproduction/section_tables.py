@@ -8,10 +8,11 @@ from pathlib import Path
 
 import numpy as np
 
+from spectralwatermark.markup import Cell, Line, table
+
 from . import paper, results, timing
 from .experiments import MODES, Mode
 from .files import write_csv
-from .markup import Cell, Line, table
 from .plan import Plan
 from .results import EmbeddingRow, Spread
 from .spectra import BITS

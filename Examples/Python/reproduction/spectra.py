@@ -7,11 +7,12 @@ from functools import lru_cache
 
 import numpy as np
 from spectralwatermark import vtkManifoldHarmonics
+from spectralwatermark.mesh_io import read_mesh
+from spectralwatermark.running import update
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .models import Model
-from .running import read_mesh, update
 
 SLOT_SIZE = 10
 BITS = 5

@@ -6,12 +6,13 @@ from __future__ import annotations
 import time
 
 from spectralwatermark import vtkManifoldHarmonics, vtkMeshAttack
+from spectralwatermark.mesh_io import MeshFileError, read_mesh
+from spectralwatermark.running import FilterError, update
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import paper
 from .models import Model
 from .plan import Plan
-from .running import FilterError, read_mesh, update
 from .store import Store, key_of
 from .work import Failure
 
@@ -27,7 +28,7 @@ def measure(plan: Plan, store: Store) -> list[Failure]:
             continue
         try:
             store.put(key, _measure(model, reduced))
-        except FilterError as error:
+        except (FilterError, MeshFileError) as error:
             failures.append(Failure(model.name, "timing", str(error)))
     return failures
 

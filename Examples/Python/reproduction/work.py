@@ -12,10 +12,11 @@ from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wai
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 
+from spectralwatermark.mesh_io import MeshFileError
+from spectralwatermark.running import FilterError
 from tqdm import tqdm
 
 from .models import Model
-from .running import FilterError
 from .store import Store
 
 
@@ -101,7 +102,7 @@ def _attempt(task: Task) -> tuple[list[dict], str]:
     """Runs in a worker. One mesh that fails must not end the computation of all others."""
     try:
         return task.function(*task.arguments), ""
-    except FilterError as error:
+    except (FilterError, MeshFileError) as error:
         return [], str(error)
     except Exception as error:  # noqa: BLE001 - reported on the page, with its kind
         return [], f"{type(error).__name__}: {error}"

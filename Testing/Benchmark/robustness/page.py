@@ -3,21 +3,18 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
 from html import escape
 from pathlib import Path
 
 import numpy as np
+from spectralwatermark import pictures
+from spectralwatermark.markup import STYLE, Cell, Line, figure, heat, table
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "Examples" / "Python"))
-import mesh_pictures  # noqa: E402 - beside the examples
-from reproduction.markup import STYLE, Cell, Line, figure, heat, table  # noqa: E402
-
-import published  # noqa: E402
-from attacks import ATTACKS, Attack  # noqa: E402
-from results import Mark, Outcome, mean, read_rows  # noqa: E402
-from schemes import SCHEMES, Scheme  # noqa: E402
+import published
+from attacks import ATTACKS, Attack
+from results import Mark, Outcome, mean, read_rows
+from schemes import SCHEMES, Scheme
 
 COLOURS = ("SteelBlue", "MidnightBlue", "Firebrick", "DarkOrange", "Goldenrod", "SeaGreen", "YellowGreen")
 PUBLISHED_COLOURS = ("LightCoral", "Silver")
@@ -150,17 +147,17 @@ def _curves(schemes: Sequence[Scheme], outcomes: Sequence[Outcome], folder: Path
             rates = [mean([o.bit_error_rate for o in _select(outcomes, scheme, attack.name, s)])
                      for s in attack.strengths]
             if None not in rates:
-                curves.append(mesh_pictures.Curve(
-                    mesh_pictures.table_of(strength=strengths, rate=rates), "strength", "rate", scheme.name,
+                curves.append(pictures.Curve(
+                    pictures.table_of(strength=strengths, rate=rates), "strength", "rate", scheme.name,
                     colour))
         if (attack.name, attack.strengths[0]) in published.RATES:
             for column, colour in enumerate(PUBLISHED_COLOURS):
                 rates = [published.RATES[attack.name, s][column] for s in attack.strengths]
-                curves.append(mesh_pictures.Curve(
-                    mesh_pictures.table_of(strength=strengths, rate=rates), "strength", "rate",
+                curves.append(pictures.Curve(
+                    pictures.table_of(strength=strengths, rate=rates), "strength", "rate",
                     f"published: {published.COLUMNS[column].split(' (')[0]}", colour))
         name = f"rates-{attack.name}.png"
-        mesh_pictures.write_chart(folder / name, curves, f"Bit error rate after {attack.name}",
+        pictures.write_chart(folder / name, curves, f"Bit error rate after {attack.name}",
                                   (f"{attack.name}, {attack.unit}", "bit error rate"))
         parts.append(figure(attack.name, name, f"Bit error rate after {attack.name}."))
     return "\n".join(parts)
@@ -177,9 +174,9 @@ def _certainty(schemes: Sequence[Scheme], outcomes: Sequence[Outcome], folder: P
                            if o.scheme == scheme.name and o.attack in attacked])
         if len(values):
             shares = [(values <= 10.0**-digit).mean() for digit in digits]
-            curves.append(mesh_pictures.Curve(
-                mesh_pictures.table_of(digits=digits, share=shares), "digits", "share", scheme.name, colour))
-    mesh_pictures.write_chart(
+            curves.append(pictures.Curve(
+                pictures.table_of(digits=digits, share=shares), "digits", "share", scheme.name, colour))
+    pictures.write_chart(
         folder / "roc.png", curves, "Copies found, all attacks but cropping",
         ("one false positive in 10 to the power of", "share of copies found"))
     return "<h2>Certainty</h2>" + figure(

@@ -83,7 +83,8 @@ def _robust(budget: float) -> Scheme:
 
 
 def _paper(division: int, embedding: int) -> Scheme:
-    properties = {"NumberOfBits": BITS_OF_PAPER, "SlotDivision": division, "BitEmbedding": embedding}
+    properties = {"Scheme": vtkSpectralWatermarkEmbed.PaperSlots, "NumberOfBits": BITS_OF_PAPER,
+                  "SlotDivision": division, "BitEmbedding": embedding}
     name = f"{('normal', 'narrow')[division]}, {('aggressive', 'non-aggressive')[embedding]}"
     return Scheme(
         f"paper: {name}", f"PaperSlots, {name}, {BITS_OF_PAPER} bits", BITS_OF_PAPER,

@@ -156,6 +156,7 @@ def _mapper(panel: Panel) -> vtkPolyDataMapper:
     normals = vtkPolyDataNormals()
     normals.SetInputData(_coloured(panel))
     normals.SplittingOff()
+    normals.NonManifoldTraversalOff()  # its loops would turn whole patches over
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(normals.GetOutputPort())
     if panel.array is None:
