@@ -1,0 +1,358 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The program spectral-watermark, as a user or a script calls it."""
+
+import csv
+import json
+import os
+import pty
+import resource
+import select
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import termios
+import time
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PEBBLE = ROOT / "Data" / "pebble.ply"
+PROGRAM = os.environ.get("SPECTRALWATERMARK_PROGRAM", str(ROOT / "build/bin/spectral-watermark"))
+DONE, NOT_FOUND, ERROR = 0, 1, 2
+
+
+def run(*arguments, secret=None, **more):
+    environment = {name: value for name, value in os.environ.items()
+                   if name != "SPECTRAL_WATERMARK_KEY"}
+    if secret is not None:
+        environment["SPECTRAL_WATERMARK_KEY"] = secret
+    return subprocess.run([sys.executable, PROGRAM, *map(str, arguments)], env=environment,
+                          stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False, **more)
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.addCleanup(os.chdir, Path.cwd())
+        os.chdir(self.folder)
+        shutil.copy(PEBBLE, "model.ply")
+        Path("my.key").write_text("a secret for the test\n")
+        Path("other.key").write_text("another one\n")
+
+    def succeed(self, *arguments, **more):
+        done = run(*arguments, **more)
+        self.assertEqual((done.returncode, done.stderr), (DONE, ""), done)
+        return done.stdout
+
+    def fail_with(self, *texts, of=(), **more):
+        """One line that says what to do, code 2, and no file that was not there."""
+        before = {path: path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}
+        done = run(*of, **more)
+        self.assertEqual(done.returncode, ERROR, done)
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        self.assertEqual(done.stdout, "")
+        for text in texts:
+            self.assertIn(text, done.stderr)
+        after = {path: path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}
+        self.assertEqual(before, after)
+
+
+class StoryTest(InFolder):
+    def test_mine_and_not_mine(self):
+        said = self.succeed("embed", "model.ply", "marked.ply", "--key-file", "my.key")
+        self.assertRegex(said, r"^marked.ply: 64 bits, moved by 0\.0\d+ % of the diagonal, read back")
+        self.succeed("attack", "marked.ply", "attacked.obj", "--similarity", "--noise", 0.2,
+                     "--shuffle", "--simplify", 20)
+        said = self.succeed("detect", "attacked.obj", "--key-file", "my.key")
+        self.assertRegex(said, r"^attacked.obj: mine, p-value \d\.\de-2\d \(0 of 64 bits wrong\)")
+        for path, key in (("attacked.obj", "other.key"), ("model.ply", "my.key")):
+            done = run("detect", path, "--key-file", key)
+            self.assertEqual(done.returncode, NOT_FOUND)
+            self.assertRegex(done.stdout, rf"^{path}: not mine, p-value 0?\.?\d")
+
+    def test_secret_in_the_environment(self):
+        self.succeed("embed", "model.ply", "marked.ply", secret="a secret for the test")
+        result = json.loads(self.succeed("detect", "marked.ply", "--key-file", "my.key", "--json"))
+        self.assertEqual(result["file"], "marked.ply")
+        self.assertIs(result["found"], True)
+        self.assertIs(result["valid"], True)
+        self.assertLess(result["p_value"], 1e-25)
+        self.assertEqual(result["wrong_bits"], 0)
+
+    def test_text_for_everyone(self):
+        self.succeed("embed", "model.ply", "marked.stl", "--text", "(c) é")
+        bits = 8 * len("(c) é".encode())
+        self.assertIn("text: (c) é", self.succeed("detect", "marked.stl", "--bits", bits))
+        self.assertIn("found, p-value", self.succeed("detect", "marked.stl", "--text", "(c) é"))
+        self.assertEqual(run("detect", "marked.stl", "--text", "(c) e!").returncode, NOT_FOUND)
+        unmarked = run("detect", "model.ply", "--bits", bits)
+        self.assertEqual(unmarked.returncode, NOT_FOUND)
+        self.assertIn("no mark found", unmarked.stdout)
+
+    def test_message_under_a_key_can_be_read(self):
+        self.succeed("embed", "model.ply", "marked.vtp", "--key-file", "my.key", "--message", "110010111")
+        said = self.succeed("detect", "marked.vtp", "--key-file", "my.key", "--read", "--bits", 9)
+        self.assertIn("reads 110010111", said)
+        self.assertIn("mine", self.succeed("detect", "marked.vtp", "--key-file", "my.key",
+                                           "--message", "110010111"))
+
+    def test_papers_scheme(self):
+        self.succeed("embed", "model.ply", "marked.ply", "--scheme", "paper", "--message", "10110")
+        said = self.succeed("detect", "marked.ply", "--scheme", "paper")
+        self.assertIn("reads 10110", said)
+
+    def test_compare(self):
+        self.succeed("attack", "model.ply", "noisy.ply", "--noise", 1)
+        self.succeed("compare", "model.ply", "noisy.ply", "--output", "differences.vtp")
+        result = json.loads(self.succeed("compare", "model.ply", "noisy.ply", "--json"))
+        same = json.loads(self.succeed("compare", "model.ply", "model.ply", "--json"))
+        self.assertGreater(result["mrms_percent"], 0.01)
+        self.assertGreater(result["hausdorff_percent"], result["mrms_percent"])
+        self.assertLess(same["mrms_percent"], 1e-10)
+        self.assertTrue(Path("differences.vtp").stat().st_size)
+        self.assertIn("GeometricDifference",
+                      json.loads(self.succeed("info", "differences.vtp", "--json"))["arrays"])
+
+    def test_harmonics(self):
+        self.succeed("harmonics", "model.ply", "basis.vtp", "--number", 20)
+        self.succeed("harmonics", "model.ply", "spectrum.csv", "--number", 20)
+        arrays = json.loads(self.succeed("info", "basis.vtp", "--json"))["arrays"]
+        self.assertIn("ManifoldHarmonics", arrays)
+        with open("spectrum.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["component"] for row in rows], [str(k + 1) for k in range(20)])
+        values = [float(row["eigenvalue"]) for row in rows]
+        self.assertEqual(values, sorted(values))
+        x, y, z = (float(rows[5][name]) for name in "xyz")
+        self.assertAlmostEqual(float(rows[5]["magnitude"]), (x * x + y * y + z * z) ** 0.5)
+
+    def test_info(self):
+        result = json.loads(self.succeed("info", "model.ply", "--json"))
+        vertices, triangles = result["vertices"], result["triangles"]
+        self.assertEqual(vertices - 3 * triangles // 2 + triangles, 2 * result["components"])  # spheres
+        self.assertEqual((result["open_edges"], result["non_manifold_edges"]), (0, 0))
+        self.assertGreater(result["volume"], 0.0)
+        self.assertIn("one component, closed", self.succeed("info", "model.ply"))
+
+    def test_capacity_is_what_can_be_embedded(self):
+        little = ("--distortion", 0.001)
+        text = self.succeed("info", "model.ply", "--capacity", *little)
+        bits = int(text.split("capacity")[1].split()[0])
+        self.succeed("embed", "model.ply", "full.ply", "--message", "1" * bits, *little)
+        self.fail_with("would move the surface by", of=(
+            "embed", "model.ply", "overfull.ply", "--message", "1" * (bits + 60), *little))
+
+    def test_attacks_are_repeatable(self):
+        for name, seed in (("a.ply", 3), ("b.ply", 3), ("c.ply", 4)):
+            self.succeed("attack", "model.ply", name, "--noise", 0.3, "--seed", seed)
+        self.assertEqual(Path("a.ply").read_bytes(), Path("b.ply").read_bytes())
+        self.assertNotEqual(Path("a.ply").read_bytes(), Path("c.ply").read_bytes())
+
+    def test_every_attack(self):
+        for step in (["--similarity"], ["--rotate", 20], ["--scale", 2], ["--translate", 1, 2, 3],
+                     ["--stretch", 1, 1, 1.2], ["--noise", 0.1], ["--noise-along-normals", 0.1],
+                     ["--smooth", 3], ["--low-pass", 50], ["--quantize", 9], ["--simplify", 30],
+                     ["--subdivide", "sqrt3"], ["--remesh", 80], ["--isosurface", 32], ["--crop", 10],
+                     ["--shuffle"]):
+            with self.subTest(step[0]):
+                self.succeed("attack", "model.ply", "out.ply", "--force", *step)
+                self.assertNotEqual(Path("out.ply").read_bytes(), Path("model.ply").read_bytes())
+
+
+class ManyTest(InFolder):
+    def setUp(self):
+        super().setUp()
+        shutil.copy("model.ply", "second.ply")
+        Path("bad.ply").write_bytes(Path("model.ply").read_bytes()[:2000])
+        Path("empty.obj").write_text("")
+
+    def embed_all(self, *more):
+        return run("embed", "model.ply", "bad.ply", "empty.obj", "second.ply", "--output-dir", "out",
+                   "--key-file", "my.key", "--jobs", 2, "--json", *more)
+
+    def test_one_bad_file_does_not_stop_the_rest(self):
+        done = self.embed_all()
+        self.assertEqual(done.returncode, ERROR)
+        results = [json.loads(line) for line in done.stdout.splitlines()]
+        self.assertEqual([result["file"] for result in results],
+                         ["model.ply", "bad.ply", "empty.obj", "second.ply"])
+        self.assertEqual([("error" in result) for result in results], [False, True, True, False])
+        self.assertIn("cut off", results[1]["error"])
+        self.assertEqual(sorted(path.name for path in Path("out").iterdir()),
+                         ["model.ply", "second.ply"])
+        self.assertIn("4 files: 2 marked, 2 failed", done.stderr)
+        found = run("detect", "out/model.ply", "model.ply", "out/second.ply", "--key-file", "my.key")
+        self.assertEqual(found.returncode, NOT_FOUND)
+        self.assertEqual([line.split(",")[0] for line in found.stdout.splitlines()],
+                         ["out/model.ply: mine", "model.ply: not mine", "out/second.ply: mine"])
+        self.assertIn("3 files: 2 found, 1 not found, 0 failed", found.stderr)
+
+    def test_goes_on_where_it_was(self):
+        self.embed_all()
+        first = Path("out/model.ply").stat().st_mtime_ns
+        Path("out/second.ply").unlink()
+        again = self.embed_all()
+        self.assertIn("1 marked, 1 skipped, 2 failed", again.stderr)
+        self.assertEqual(Path("out/model.ply").stat().st_mtime_ns, first)
+        self.assertTrue(Path("out/second.ply").exists())
+        self.embed_all("--force")
+        self.assertNotEqual(Path("out/model.ply").stat().st_mtime_ns, first)
+
+    def test_jobs_and_threads_change_nothing(self):
+        for folder, more in (("one", ("--threads", 1)), ("two", ("--jobs", 2))):
+            self.succeed_many("embed", "model.ply", "second.ply", "--output-dir", folder,
+                              "--key-file", "my.key", *more)
+        self.assertEqual(Path("one/model.ply").read_bytes(), Path("two/model.ply").read_bytes())
+
+    def succeed_many(self, *arguments):
+        done = run(*arguments)
+        self.assertEqual(done.returncode, DONE, done)
+
+
+class BadInputTest(InFolder):
+    def test_files(self):
+        Path("words.ply").write_text("these are words\n")
+        Path("model.xyz").write_text("1 2 3\n")
+        Path("points.ply").write_text("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                                      "property float y\nproperty float z\nend_header\n0 0 0\n")
+        key = ("--key-file", "my.key")
+        for name, text in (("missing.ply", "no such file"), ("words.ply", "not begin as a PLY"),
+                           ("model.xyz", "cannot read .xyz"), ("points.ply", "no polygons")):
+            with self.subTest(name):
+                self.fail_with(name, text, of=("embed", name, "out.ply", *key))
+                self.fail_with(name, text, of=("detect", name, *key))
+                self.fail_with(name, text, of=("info", name))
+                self.fail_with(name, text, of=("compare", "model.ply", name))
+
+    def test_outputs(self):
+        Path("there.ply").write_text("mine")
+        key = ("--key-file", "my.key")
+        self.fail_with("there.ply", "--force", of=("embed", "model.ply", "there.ply", *key))
+        self.fail_with("would replace", of=("embed", "model.ply", "model.ply", "--force", *key))
+        os.link("model.ply", "same.ply")
+        self.fail_with("would replace", of=("attack", "model.ply", "same.ply", "--noise", 1, "--force"))
+        self.fail_with("no folder", of=("embed", "model.ply", "no/out.ply", *key))
+        self.fail_with("cannot write .off", of=("embed", "model.ply", "out.off", *key))
+        self.fail_with("only .vtp", of=("compare", "model.ply", "there.ply", "--output", "d.ply"))
+        self.fail_with("spectrum to .csv", of=("harmonics", "model.ply", "out.ply"))
+        self.fail_with("this is a folder", of=("embed", "model.ply", "/tmp", *key))
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write anywhere")
+    def test_folder_without_permission(self):
+        Path("locked").mkdir(mode=0o500)
+        self.fail_with("no permission", of=("attack", "model.ply", "locked/out.ply", "--noise", 1))
+
+    def test_secrets_and_messages(self):
+        self.fail_with("nothing to embed", of=("embed", "model.ply", "out.ply"))
+        self.fail_with("cannot be read", of=("embed", "model.ply", "out.ply", "--key-file", "no.key"))
+        Path("empty.key").write_text("")
+        self.fail_with("is empty", of=("detect", "model.ply", "--key-file", "empty.key"))
+        Path("large.key").write_bytes(b"x" * (1 << 20) + b"yz")
+        self.fail_with("over 1 MiB", of=("detect", "model.ply", "--key-file", "large.key"))
+        self.fail_with("is set, but empty", of=("detect", "model.ply"), secret="")
+        self.fail_with("needs a terminal", of=("detect", "model.ply", "--ask-key"))
+        self.fail_with("only one", of=("detect", "model.ply", "--ask-key", "--key-file", "my.key"))
+        self.fail_with("write the bits", of=("embed", "model.ply", "out.ply", "--message", "10x"))
+        self.fail_with("1024 bits", of=("embed", "model.ply", "out.ply", "--message", "10" * 600))
+        self.fail_with("64 bits would move the surface by",
+                       of=("embed", "model.ply", "out.ply", "--key-file", "my.key", "--distortion", 1e-4))
+
+    def test_options(self):
+        self.fail_with("--help", of=())
+        self.fail_with("invalid choice", of=("destroy", "model.ply"))
+        self.fail_with("IN and OUT", of=("embed", "model.ply", "--message", "1"))
+        self.fail_with("no attack", of=("attack", "model.ply", "out.ply"))
+        self.fail_with("midpoint, loop and sqrt3",
+                       of=("attack", "model.ply", "out.ply", "--subdivide", "catmull"))
+        self.fail_with("cannot be 120", of=("attack", "model.ply", "out.ply", "--simplify", 120))
+        self.fail_with("not a number from 1 on", of=("harmonics", "model.ply", "out.csv", "--number", 0))
+        self.fail_with("not a number above 0",
+                       of=("embed", "model.ply", "out.ply", "--message", "1", "--distortion", "-1"))
+        self.fail_with("two of the files", of=("embed", "model.ply", "./model.ply", "--output-dir", "out",
+                                               "--message", "1"))
+
+    def test_two_runs_of_the_same_mesh_without_volume(self):
+        Path("flat.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n")
+        self.fail_with("flat.obj", "volume", of=("embed", "flat.obj", "out.ply", "--message", "1"))
+
+
+class FaultTest(InFolder):
+    def test_a_full_disk_leaves_no_file(self):
+        def limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
+
+        self.fail_with("not written", of=("attack", "model.ply", "out.ply", "--noise", 1),
+                       preexec_fn=limit)
+
+    def test_a_signal_leaves_no_file(self):
+        before = set(self.folder.iterdir())
+        with subprocess.Popen(
+                [sys.executable, PROGRAM, "attack", "model.ply", "out.ply",
+                 *("--subdivide", "midpoint") * 4, "--low-pass", "400"],
+                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            time.sleep(1.5)
+            process.send_signal(signal.SIGTERM)
+            _, said = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, ERROR)
+        self.assertIn("stopped", said)
+        self.assertEqual(set(self.folder.iterdir()), before)
+
+
+class TerminalTest(InFolder):
+    def on_a_terminal(self, *arguments, typed=b""):
+        """What a person sees, and the exit code."""
+        pid, terminal = pty.fork()
+        if pid == 0:
+            os.environ.pop("SPECTRAL_WATERMARK_KEY", None)
+            termios.tcsetwinsize(0, (24, 80))
+            os.execv(sys.executable, [sys.executable, PROGRAM, *map(str, arguments)])
+        seen = b""
+        while True:
+            ready, _, _ = select.select([terminal], [], [], 60)
+            self.assertTrue(ready, seen)
+            try:
+                part = os.read(terminal, 65536)
+            except OSError:  # the other side was closed
+                break
+            seen += part
+            if not part:
+                break
+            if part.rstrip().endswith(b":") and typed:
+                os.write(terminal, typed)
+        _, status = os.waitpid(pid, 0)
+        return seen.decode(), os.waitstatus_to_exitcode(status)
+
+    def test_progress_and_prompt(self):
+        seen, code = self.on_a_terminal("embed", "model.ply", "marked.ply", "--ask-key",
+                                        typed=b"a secret for the test\n")
+        self.assertEqual(code, DONE, seen)
+        self.assertIn("Secret:", seen)
+        self.assertIn("Once more:", seen)
+        self.assertIn("embedding", seen)
+        self.assertIn("left", seen)
+        self.assertNotIn("a secret for the test", seen)
+        self.assertIn("mine", self.succeed("detect", "marked.ply", "--key-file", "my.key"))
+
+
+class HelpTest(unittest.TestCase):
+    def test_every_help_teaches_by_example(self):
+        for command in ("embed", "detect", "attack", "compare", "harmonics", "info"):
+            done = run(command, "--help")
+            self.assertEqual(done.returncode, DONE)
+            self.assertIn(f"\n  spectral-watermark {command} ", done.stdout)
+
+    def test_version(self):
+        self.assertRegex(run("--version").stdout, r"^spectral-watermark \d+\.\d+\.\d+\n$")
+
+    def test_no_secret_in_any_help(self):
+        self.assertNotIn("--key ", "".join(run(command, "--help").stdout
+                                           for command in ("embed", "detect")))
+
+
+if __name__ == "__main__":
+    unittest.main()

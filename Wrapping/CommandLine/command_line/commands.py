@@ -1,0 +1,261 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What each command does to one mesh: a request in, a result out, both of plain values."""
+
+from __future__ import annotations
+
+import csv
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from spectralwatermark import (
+    vtkManifoldHarmonics,
+    vtkMeshAttack,
+    vtkMeshDistortion,
+    vtkSpectralWatermarkAlgorithm,
+    vtkSpectralWatermarkDetect,
+    vtkSpectralWatermarkEmbed,
+)
+from spectralwatermark.mesh_io import (
+    MeshFileError,
+    check_writable,
+    read_mesh,
+    stores_float,
+    write_file,
+    write_mesh,
+)
+from spectralwatermark.running import FilterError, update
+from vtkmodules.vtkCommonCore import vtkSMPTools
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+
+from . import terminal
+
+Show = Callable[[float, str], None]
+
+
+def run(request: dict, show: Show) -> dict:
+    """The result; an "error" in it, in one line, when something went wrong."""
+    vtkSMPTools.Initialize(request["threads"])
+    try:
+        if "output" in request:
+            check_writable(request["output"])
+            if not request["output"].lower().endswith(".csv"):
+                stores_float(request["output"])  # raises for a format that cannot be written
+        return {"file": request["input"]} | _COMMANDS[request["command"]](request, show)
+    except (MeshFileError, FilterError) as error:
+        text = str(error)
+        of_file = isinstance(error, MeshFileError) or text.startswith(request["input"])
+        return {"file": request["input"], "error": text if of_file else f"{request['input']}: {text}"}
+
+
+def _update(algorithm: vtkAlgorithm, show: Show, what: str) -> float:
+    """Seconds taken."""
+    started = time.monotonic()
+    update(algorithm, lambda share: show(share, what), terminal.stopped)
+    return time.monotonic() - started
+
+
+# --- Watermarks ----------------------------------------------------------------------------------
+
+
+def _embed(request: dict, show: Show) -> dict:
+    mesh = read_mesh(request["input"])
+    embed = vtkSpectralWatermarkEmbed()
+    _set_watermark(embed, request)
+    embed.SetInputData(mesh)
+    if request["message"] or _has_secret(request):
+        embed.SetMessage(request["message"])
+    embed.SetMaximumDistortion(request["distortion"])
+    if stores_float(request["output"]):  # have the mark verified on what the file will hold
+        embed.SetOutputPointsPrecision(vtkAlgorithm.SINGLE_PRECISION)
+    seconds = _update(embed, show, "embedding")
+    if not embed.GetConverged():
+        raise FilterError("the mark could not be embedded so that it is read back; nothing was written. "
+                          "Try fewer bits or more --distortion")
+    write_mesh(embed.GetOutput(), request["output"])
+    result = {"output": request["output"], "scheme": request["scheme"],
+              "bits": len(embed.GetExtractedMessage()), "seconds": round(seconds, 3)}
+    if request["scheme"] == "robust":
+        result |= {"distortion_percent": embed.GetDistortion(), "margin": embed.GetMargin()}
+    else:
+        result["iterations"] = embed.GetNumberOfIterationsUsed()
+    return result
+
+
+def _detect(request: dict, show: Show) -> dict:
+    detect = vtkSpectralWatermarkDetect()
+    _set_watermark(detect, request)
+    detect.SetInputData(read_mesh(request["input"]))
+    detect.SetExpectedMessage(request["message"])
+    derived = _has_secret(request) and not request["message"] and not request["read"]
+    detect.SetUseDerivedMessage(derived)
+    detect.SetFalsePositiveRate(request["rate"])
+    seconds = _update(detect, show, "detecting")
+    expected = derived or bool(request["message"])
+    valid = bool(detect.GetMessageIsValid())
+    read = detect.GetExtractedMessage()
+    result = {"scheme": request["scheme"], "bits": len(read), "read": read, "valid": valid,
+              "found": bool(detect.GetDetected()) if expected else valid,
+              "seconds": round(seconds, 3)}
+    if expected:
+        result |= {"p_value": detect.GetPValue(),
+                   "wrong_bits": round(detect.GetBitErrorRate() * len(read))}
+    elif request["scheme"] == "paper":  # whose messages have no check: reading is all there is
+        result["found"] = True
+    if not derived and valid and (text := _text_of(read)):
+        result["text"] = text
+    return result
+
+
+def _set_watermark(watermark: vtkSpectralWatermarkAlgorithm, request: dict) -> None:
+    if request["scheme"] == "paper":
+        watermark.SetSchemeToPaperSlots()
+    watermark.SetNumberOfBits(request["bits"])
+    if "key_file" in request:
+        watermark.SetSecretKeyFile(request["key_file"])
+    if "key" in request:
+        watermark.SetSecretKey(request["key"])
+
+
+def _has_secret(request: dict) -> bool:
+    return "key" in request or "key_file" in request
+
+
+def _text_of(bits: str) -> str:
+    """The text that the bits spell, "" when they spell none."""
+    if len(bits) % 8:
+        return ""
+    try:
+        text = bytes(int(bits[i:i + 8], 2) for i in range(0, len(bits), 8)).decode()
+    except UnicodeDecodeError:
+        return ""
+    return text if text.isprintable() else ""
+
+
+# --- Attacks -------------------------------------------------------------------------------------
+
+
+def _attack(request: dict, show: Show) -> dict:
+    mesh = read_mesh(request["input"])
+    before = mesh.GetNumberOfPoints()
+    for number, (name, value) in enumerate(request["steps"]):
+        attack = vtkMeshAttack()
+        attack.SetInputData(mesh)
+        attack.SetSeed(request["seed"] + number)
+        _ATTACKS[name](attack, value)
+        _update(attack, show, name)
+        mesh = attack.GetOutput()
+    write_mesh(mesh, request["output"])
+    return {"output": request["output"], "steps": [name for name, _ in request["steps"]],
+            "points_before": before, "points": mesh.GetNumberOfPoints()}
+
+
+def _setter(kind: str, name: str = "", **more: int) -> Callable[[vtkMeshAttack, object], None]:
+    def set_up(attack: vtkMeshAttack, value: object) -> None:
+        attack.SetAttack(getattr(vtkMeshAttack, kind))
+        for each, fixed in more.items():
+            getattr(attack, f"Set{each}")(fixed)
+        if name:
+            _set_in_range(attack, name, value)
+
+    return set_up
+
+
+def _set_in_range(attack: vtkMeshAttack, name: str, value) -> None:
+    """VTK takes what is out of range for the nearest that is in it; a user should know."""
+    getattr(attack, f"Set{name}")(value)
+    taken = getattr(attack, f"Get{name}")()
+    if taken != (tuple(value) if isinstance(value, list) else value):
+        raise FilterError(f"{attack.GetAttackAsString()}: {name} cannot be {value}; the nearest is {taken}")
+
+
+def _subdivide(attack: vtkMeshAttack, scheme: str) -> None:
+    attack.SetAttackToSubdivision()
+    attack.SetSubdivisionType({"midpoint": vtkMeshAttack.Midpoint, "loop": vtkMeshAttack.Loop,
+                               "sqrt3": vtkMeshAttack.Sqrt3}[scheme])
+
+
+_ATTACKS = {
+    "similarity": _setter("Similarity"),
+    "rotate": _setter("Rotation", "RotationAngle"),
+    "scale": _setter("UniformScaling", "ScaleFactor"),
+    "translate": _setter("Translation", "TranslationVector"),
+    "stretch": _setter("NonUniformScaling", "AxisScaleFactors"),
+    "noise": _setter("NoiseUniform", "NoisePercent"),
+    "noise-along-normals": _setter("NoiseAlongNormals", "NoiseFactor"),
+    "smooth": _setter("LaplacianSmoothing", "SmoothingIterations"),
+    "low-pass": _setter("SpectralSmoothing", "NumberOfHarmonics", SmoothingGain=1),
+    "quantize": _setter("Quantization", "QuantizationBits"),
+    "simplify": _setter("Simplification", "SimplificationPercent"),
+    "subdivide": _subdivide,
+    "remesh": _setter("Remeshing", "RemeshingPercent", RemeshingMethod=vtkMeshAttack.Uniform),
+    "isosurface": _setter("Remeshing", "IsosurfaceResolution",
+                          RemeshingMethod=vtkMeshAttack.Isosurface),
+    "crop": _setter("Cropping", "CroppingPercent"),
+    "shuffle": _setter("VertexReordering"),
+}
+
+
+# --- Looking at meshes ---------------------------------------------------------------------------
+
+
+def _compare(request: dict, show: Show) -> dict:
+    reference, other = read_mesh(request["input"]), read_mesh(request["other"])
+    distortion = vtkMeshDistortion()
+    distortion.SetInputData(0, reference)
+    distortion.SetInputData(1, other)
+    _update(distortion, show, "comparing")
+    if "output" in request:
+        write_mesh(distortion.GetOutput(), request["output"])
+    result = {"other": request["other"], "mrms_percent": 100.0 * distortion.GetMRMS(),
+              "hausdorff_percent": 100.0 * distortion.GetHausdorff(), "msdm2": distortion.GetMSDM2()}
+    if distortion.GetGeomDiff() >= 0.0:  # points correspond
+        result |= {"msdm": distortion.GetMSDM(),
+                   "geometric_difference_percent": 100.0 * distortion.GetGeomDiff(),
+                   "curvature_difference_percent": 100.0 * distortion.GetCurvDiff()}
+    return result
+
+
+def _harmonics(request: dict, show: Show) -> dict:
+    harmonics = vtkManifoldHarmonics()
+    harmonics.SetInputData(read_mesh(request["input"]))
+    harmonics.SetNumberOfHarmonics(request["number"])
+    seconds = _update(harmonics, show, f"{request['number']} harmonics")
+    mesh = harmonics.GetOutput()
+    output = Path(request["output"])
+    if output.suffix.lower() == ".csv":
+        write_file(output, lambda path: _write_spectrum(mesh, path))
+    else:
+        write_mesh(mesh, output)
+    values = mesh.GetFieldData().GetArray("Eigenvalues")
+    return {"output": request["output"], "number": values.GetNumberOfTuples(),
+            "largest_eigenvalue": values.GetValue(values.GetNumberOfTuples() - 1),
+            "seconds": round(seconds, 3)}
+
+
+def _write_spectrum(mesh: vtkPolyData, path: Path) -> None:
+    data = mesh.GetFieldData()
+    values, spectrum, magnitudes = (data.GetArray(name)
+                                    for name in ("Eigenvalues", "Spectrum", "SpectrumMagnitude"))
+    with path.open("w", newline="") as file:
+        table = csv.writer(file)
+        table.writerow(["component", "eigenvalue", "x", "y", "z", "magnitude"])
+        for k in range(values.GetNumberOfTuples()):
+            table.writerow([k + 1, values.GetValue(k), *spectrum.GetTuple3(k), magnitudes.GetValue(k)])
+
+
+def _info(request: dict, show: Show) -> dict:
+    from .inspection import capacity_of, describe
+
+    mesh = read_mesh(request["input"])
+    result = describe(mesh)
+    if request["capacity"]:
+        result |= {"capacity_bits": capacity_of(mesh, request["distortion"],
+                                                lambda each: _update(each, show, "measuring")),
+                   "at_distortion_percent": request["distortion"]}
+    return result
+
+
+_COMMANDS = {"embed": _embed, "detect": _detect, "attack": _attack, "compare": _compare,
+             "harmonics": _harmonics, "info": _info}

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where the secret comes from: a file, the environment or a prompt, never the argument list."""
+
+from __future__ import annotations
+
+import getpass
+import os
+import sys
+
+from .terminal import UserError
+
+VARIABLE = "SPECTRAL_WATERMARK_KEY"
+
+
+def secret_of(arguments) -> dict[str, str]:
+    """{"key_file": path}, {"key": text}, or {} without a secret. What is asked for by name goes
+    before the environment."""
+    if arguments.key_file is not None and arguments.ask_key:
+        raise UserError("--key-file and --ask-key are both given: only one secret can be used")
+    if arguments.key_file is not None:
+        return {"key_file": arguments.key_file}
+    if arguments.ask_key:
+        return {"key": _ask(twice=arguments.command == "embed")}
+    if VARIABLE in os.environ:
+        if not os.environ[VARIABLE]:
+            raise UserError(f"{VARIABLE} is set, but empty: unset it, or put the secret into it")
+        return {"key": os.environ[VARIABLE]}
+    return {}
+
+
+def _ask(twice: bool) -> str:
+    if not sys.stdin.isatty():
+        raise UserError("--ask-key needs a terminal to ask on: use --key-file, or the environment "
+                        f"variable {VARIABLE}")
+    secret = getpass.getpass("Secret: ")
+    if not secret:
+        raise UserError("no secret was typed")
+    if twice and getpass.getpass("Once more: ") != secret:
+        raise UserError("the two differ: nothing was done")
+    return secret

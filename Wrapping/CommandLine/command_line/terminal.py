@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the program says: results on standard output, all else on standard error."""
+
+from __future__ import annotations
+
+import json
+import signal
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+PROGRAM = "spectral-watermark"
+
+_stopped_by: int | None = None
+
+
+class UserError(Exception):
+    """What ends the program with code 2; its text is one line that says what to do."""
+
+
+def say_error(text: str) -> None:
+    print(f"{PROGRAM}: {' '.join(text.split())}", file=sys.stderr, flush=True)
+
+
+def say(request: dict, result: dict, as_json: bool) -> None:
+    """One mesh's result, on standard output; an error on standard error too."""
+    if as_json:
+        print(json.dumps(result), flush=True)
+    if "error" in result:
+        say_error(result["error"])
+    elif not as_json:
+        from .words import lines_of
+
+        print("\n".join(lines_of(request, result)), flush=True)
+
+
+# --- Progress ------------------------------------------------------------------------------------
+
+
+@contextmanager
+def progress(request: dict) -> Iterator[Callable[[float, str], None]]:
+    """A bar with the time left, on a terminal; nothing in a pipe."""
+    if not sys.stderr.isatty():
+        yield lambda share, what: None
+        return
+    from tqdm import tqdm
+
+    bar = tqdm(total=1.0, file=sys.stderr, leave=False, dynamic_ncols=True, desc=request["command"],
+               bar_format="{desc:<24} {percentage:3.0f}% |{bar}| {remaining} left")
+
+    def show(share: float, what: str) -> None:
+        bar.set_description_str(what, refresh=False)
+        if share < bar.n:
+            bar.reset()
+        bar.update(share - bar.n)
+
+    with bar:
+        yield show
+
+
+# --- Being asked to stop -------------------------------------------------------------------------
+
+
+def catch_signals(numbers: tuple[int, ...]) -> None:
+    """From now on these are remembered, and the filter that runs is asked to stop."""
+    for number in numbers:
+        signal.signal(number, _remember)
+
+
+def _remember(number: int, _frame) -> None:
+    global _stopped_by
+    if _stopped_by is not None:  # asked twice: at once
+        sys.exit(128 + number)
+    _stopped_by = number
+
+
+def stopped() -> bool:
+    return _stopped_by is not None
