@@ -3,7 +3,7 @@
 #
 #   ./test.sh          the quick set: what every change must pass
 #   ./test.sh --full   also: the filters under the sanitizers, clang with warnings as errors,
-#                      clang-tidy, and large scans in every mode
+#                      clang-tidy, the ParaView plugin, and large scans in every mode
 #
 # Tests on real scans look in SPECTRALWATERMARK_MESH_DIR and skip without it (see CONTRIBUTING.md).
 set -euo pipefail
@@ -38,6 +38,9 @@ if [ $full = yes ]; then
   # VTK's singletons outlive main: leaks are looked for in the Core tests only. Whole scans would
   # take hours here, and add no code path.
   ASAN_OPTIONS=detect_leaks=0 ctest --preset asan -j "$jobs" --exclude-regex 'Scans/|RealMeshes'
+  echo "== ParaView plugin"
+  Wrapping/ParaView/build.sh
+  Wrapping/ParaView/test.sh
   export SPECTRALWATERMARK_FULL_TESTS=1 # large scans in every mode, in the release build below
 fi
 

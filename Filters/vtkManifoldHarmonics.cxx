@@ -6,14 +6,20 @@
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
 
+#include <vtkInformation.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
+#include <vtkTable.h>
 
 namespace sw = spectralwatermark;
 
 vtkStandardNewMacro(vtkManifoldHarmonics);
 
-vtkManifoldHarmonics::vtkManifoldHarmonics() = default;
+vtkManifoldHarmonics::vtkManifoldHarmonics()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
 vtkManifoldHarmonics::~vtkManifoldHarmonics() = default;
 
 const char* vtkManifoldHarmonics::GetMassMatrixAsString() const
@@ -35,6 +41,16 @@ void vtkManifoldHarmonics::SetArrayName(const char* name)
     this->ArrayName = wanted;
     this->Modified();
   }
+}
+
+int vtkManifoldHarmonics::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillOutputPortInformation(port, info);
+  }
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
+  return 1;
 }
 
 int vtkManifoldHarmonics::RequestData(vtkInformation*, vtkInformationVector** inputs,
@@ -61,6 +77,7 @@ int vtkManifoldHarmonics::RequestData(vtkInformation*, vtkInformationVector** in
       this->SpectrumIsComplete = harmonics.Complete;
       output->ShallowCopy(input);
       sw::AttachHarmonics(output, this->GetArrayName(), mesh, harmonics);
+      sw::FillSpectrumTable(vtkTable::GetData(outputs, 1), harmonics, mesh);
     });
 }
 

@@ -16,7 +16,7 @@
  * non-manifold, of several components. Points at exactly the same place count as one vertex.
  * Triangles without area are allowed. Points used by no polygon get a harmonic of 0.
  *
- * Output: the input's points, cells and attributes, and
+ * Output port 0: the input's points, cells and attributes, and
  *
  * | array               | data  | tuples x components | meaning                      | unit       |
  * |---------------------|-------|---------------------|------------------------------|------------|
@@ -27,11 +27,12 @@
  * | `SpectrumMagnitude` | field | m x 1               | c (eq. 9)                    | length^2   |
  * | `Residuals`         | field | m x 1               | relative, see Tolerance      | none       |
  *
- * All are double. Downstream, vtkSpectralWatermarkEmbed, vtkSpectralWatermarkDetect,
+ * All are double. Output port 1: a vtkTable, the spectrum as charts take it, with a row per harmonic:
+ * `Component` (1-based), `Eigenvalue`, `X`, `Y`, `Z`, `Magnitude`. Downstream, vtkSpectralWatermarkEmbed, vtkSpectralWatermarkDetect,
  * vtkManifoldHarmonicsReconstruction and vtkMeshAttack find the basis in these arrays and use it
  * as long as it is still one for the geometry that they see.
  *
- * Errors (vtkErrorMacro, an error code, an empty output): no points, no polygons, coordinates
+ * Errors (vtkErrorMacro, an error code, empty outputs): no points, no polygons, coordinates
  * that are not finite, no area, fewer vertices than harmonics asked for, a solver that does not
  * reach the tolerance, the dense solver on more than 10,000 vertices, a piece of a distributed mesh.
  *
@@ -168,6 +169,7 @@ protected:
   vtkManifoldHarmonics();
   ~vtkManifoldHarmonics() override;
 
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -6,6 +6,7 @@
 #include "Private/FilterRun.h"
 #include "Private/PerceptualDistance.h"
 #include "Private/PolyDataMesh.h"
+#include "Private/Results.h"
 #include "Private/SurfaceDistance.h"
 
 #include <vtkCellArray.h>
@@ -114,23 +115,25 @@ int vtkMeshDistortion::RequestData(vtkInformation*, vtkInformationVector** input
         this->ComparePoints(reference, distorted, output);
       }
       sw::ProgressOf(this).Report(0.1);
-      if (!this->ComputeSurfaceDistances && !this->ComputePerceptualDistances)
+      if (this->ComputeSurfaceDistances || this->ComputePerceptualDistances)
       {
-        return;
-      }
-      const Surfaces surfaces(reference, distorted);
-      if (this->ComputeSurfaceDistances)
-      {
-        this->CompareSurfaces(surfaces, output);
-      }
-      if (this->ComputePerceptualDistances)
-      {
-        this->CompareAppearance(surfaces, output);
-        if (correspond)
+        const Surfaces surfaces(reference, distorted);
+        if (this->ComputeSurfaceDistances)
         {
-          this->MSDM = surfaces.Msdm(distorted);
+          this->CompareSurfaces(surfaces, output);
+        }
+        if (this->ComputePerceptualDistances)
+        {
+          this->CompareAppearance(surfaces, output);
+          if (correspond)
+          {
+            this->MSDM = surfaces.Msdm(distorted);
+          }
         }
       }
+      sw::AddResults(output,
+        { { "GeomDiff", this->GeomDiff }, { "CurvDiff", this->CurvDiff }, { "MRMS", this->MRMS },
+          { "Hausdorff", this->Hausdorff }, { "MSDM", this->MSDM }, { "MSDM2", this->MSDM2 } });
     });
 }
 

@@ -31,7 +31,8 @@
  * - GetMSDM2(): the multiscale measure of Lavoue (2011), the mean of both directions, from 0 (alike)
  *   towards 1; point data `LocalMSDM2`.
  *
- * The output is the distorted mesh with these point data (double; 0 at points used by no polygon).
+ * The output is the distorted mesh with these point data (double; 0 at points used by no polygon), and
+ * with the figures as field data: `GeomDiff`, `CurvDiff`, `MRMS`, `Hausdorff`, `MSDM`, `MSDM2`.
  *
  * Errors (vtkErrorMacro, an error code, an empty output): no points or polygons in one of the
  * meshes, coordinates that are not finite.

@@ -9,6 +9,7 @@
 #include "Private/FilterRun.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
+#include "Private/Results.h"
 #include "Private/SlotTable.h"
 
 #include <vtkObjectFactory.h>
@@ -58,6 +59,10 @@ int vtkSpectralWatermarkDetect::RequestData(vtkInformation*, vtkInformationVecto
         this->ReadSlots(input, table);
       }
       vtkPolyData::GetData(outputs, 0)->ShallowCopy(input);
+      sw::AddResult(table, "ExtractedMessage", this->ExtractedMessage);
+      sw::AddResults(table,
+        { { "MessageIsValid", this->MessageIsValid }, { "BitErrorRate", this->BitErrorRate },
+          { "PValue", this->PValue }, { "Detected", this->Detected } });
     });
 }
 

@@ -5,7 +5,8 @@
  *
  * Needs nothing but the mesh and the properties that the mark was embedded with, the secret key
  * among them when there was one. Output port 0: the input mesh. Output port 1: a vtkTable, see the
- * schemes.
+ * schemes; its field data has what the getters of the same names tell: `Detected`, `PValue`,
+ * `BitErrorRate`, `MessageIsValid`, `ExtractedMessage`.
  *
  * Scheme Robust, the default: reads the carriers in the solid's own frame, trying the steps that they
  * may have been quantised with, the signs of the frame's axes where they are unclear, smoothings that

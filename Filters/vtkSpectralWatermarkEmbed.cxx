@@ -10,6 +10,7 @@
 #include "Private/FilterRun.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
+#include "Private/Results.h"
 #include "Private/SlotTable.h"
 
 #include <vtkDoubleArray.h>
@@ -78,6 +79,10 @@ int vtkSpectralWatermarkEmbed::RequestData(vtkInformation*, vtkInformationVector
       {
         this->EmbedInSlots(input, output, table);
       }
+      sw::AddResult(table, "ExtractedMessage", this->ExtractedMessage);
+      sw::AddResults(table,
+        { { "Converged", this->Converged }, { "Distortion", this->Distortion },
+          { "Margin", this->Margin }, { "Capacity", this->Capacity } });
     });
 }
 

@@ -25,6 +25,9 @@
  * reads another bit); for PaperSlots a row per iteration and slot: `Iteration`, `Slot` and
  * `Component` (1-based), `Magnitude`, `Average`, `Deviation` (length^2), `BitWanted`, `BitRead`.
  *
+ * Its field data has what the getters of the same names tell: `Converged`, `Distortion`, `Margin`,
+ * `Capacity`, `ExtractedMessage`.
+ *
  * PaperSlots: a basis on the input (vtkManifoldHarmonics, lumped, at least as many harmonics as the slots
  * need) serves the first iteration.
  *

@@ -16,16 +16,15 @@ import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import numpy as np
 from spectralwatermark import (
     running,
     vtkManifoldHarmonics,
-    vtkMeshAttack,
     vtkMeshDistortion,
     vtkSpectralWatermarkAlgorithm,
     vtkSpectralWatermarkDetect,
     vtkSpectralWatermarkEmbed,
 )
+from spectralwatermark.attacks import attacks_on
 from spectralwatermark.mesh_io import MeshFileError, read_mesh, stores_float, write_file, write_mesh
 from tqdm import tqdm
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -196,40 +195,6 @@ def attack_and_detect(demo: Demo) -> None:
     demo.summary["wrong_bits"] = {row.name: row.errors for row in demo.attacks}
 
 
-def attacks_on(mesh: vtkPolyData) -> list[tuple[str, vtkMeshAttack | None]]:
-    """What happens to meshes, by name."""
-    return [
-        ("none", None),
-        ("turned, scaled and moved", attack_on(mesh, vtkMeshAttack.Similarity)),
-        ("vertices shuffled", attack_on(mesh, vtkMeshAttack.VertexReordering)),
-        *((f"noise, {percent:g} %",
-           attack_on(mesh, vtkMeshAttack.NoiseUniform, NoisePercent=percent))
-          for percent in (0.1, 0.3, 0.5)),
-        *((f"smoothing, {iterations} times",
-           attack_on(mesh, vtkMeshAttack.LaplacianSmoothing, SmoothingIterations=iterations))
-          for iterations in (10, 50)),
-        *((f"quantized to {bits} bits",
-           attack_on(mesh, vtkMeshAttack.Quantization, QuantizationBits=bits)) for bits in (9, 8)),
-        *((f"simplification, {percent:g} % of the edges",
-           attack_on(mesh, vtkMeshAttack.Simplification, SimplificationPercent=percent))
-          for percent in (50.0, 90.0)),
-        ("subdivision (Loop)",
-         attack_on(mesh, vtkMeshAttack.Subdivision, SubdivisionType=vtkMeshAttack.Loop)),
-        ("remeshing", attack_on(mesh, vtkMeshAttack.Remeshing)),
-        ("cropping, 10 % of the vertices",
-         attack_on(mesh, vtkMeshAttack.Cropping, CroppingPercent=10.0)),
-    ]
-
-
-def attack_on(mesh: vtkPolyData, kind: int, **properties) -> vtkMeshAttack:
-    attack = vtkMeshAttack()
-    attack.SetInputData(mesh)
-    attack.SetAttack(kind)
-    for name, value in properties.items():
-        getattr(attack, f"Set{name}")(value)
-    return attack
-
-
 def detect(demo: Demo, name: str, mesh: vtkPolyData, another_key: bool = False) -> Attacked:
     """Asks with nothing but the mesh and the key."""
     detector = vtkSpectralWatermarkDetect()
@@ -260,25 +225,26 @@ def draw_pictures(demo: Demo) -> None:
               '1280x1024x24 -noreset" ...')
         return
     # Only now: the rendering modules need the display.
-    from spectralwatermark import pictures
+    from spectralwatermark import charts, pictures
 
     camera = pictures.view_of(demo.original)
     original, marked = (harmonics_of(mesh, name) for mesh, name in
                         ((demo.original, "original"), (demo.marked, "marked mesh")))
     say("Drawing")
     draw_comparison(demo, pictures, camera)
-    draw_harmonics(demo, original, pictures, camera)
+    draw_harmonics(demo, original.GetOutput(), pictures, camera)
     draw_attacks(demo, pictures)
-    draw_spectrum(demo, original, marked, pictures)
-    draw_carriers(demo, pictures)
+    charts.write_spectra(demo.output / "spectrum.png", original.GetOutputDataObject(1),
+                         marked.GetOutputDataObject(1))
+    draw_carriers(demo, charts)
 
 
-def harmonics_of(mesh: vtkPolyData, name: str) -> vtkPolyData:
+def harmonics_of(mesh: vtkPolyData, name: str) -> vtkManifoldHarmonics:
     harmonics = vtkManifoldHarmonics()
     harmonics.SetInputData(mesh)
     harmonics.SetNumberOfHarmonics(min(100, mesh.GetNumberOfPoints()))
     update(harmonics, f"100 harmonics of the {name}")
-    return harmonics.GetOutput()
+    return harmonics
 
 
 # --- Pictures ----------------------------------------------------------------------------------
@@ -325,41 +291,12 @@ def draw_attacks(demo: Demo, pictures) -> None:
     pictures.write_panels(demo.output / "attacks.png", panels, columns=4, size=420)
 
 
-def draw_spectrum(demo: Demo, original: vtkPolyData, marked: vtkPolyData, pictures) -> None:
-    """Magnitudes before and after."""
-    pictures.write_chart(
-        demo.output / "spectrum.png",
-        [
-            pictures.Curve(spectrum_table(original, pictures), "Component", "Magnitude", "original",
-                           "SteelBlue"),
-            pictures.Curve(spectrum_table(marked, pictures), "Component", "Magnitude", "marked",
-                           "DarkOrange"),
-        ],
-        "Spectrum of the mesh before and after", ("component", "magnitude (logarithmic scale)"),
-        logarithmic=True)
-
-
-def draw_carriers(demo: Demo, pictures) -> None:
+def draw_carriers(demo: Demo, charts) -> None:
     """How firmly each carrier holds its bit of the code, in order, for some of the copies."""
-    wanted = 2.0 * vtk_to_numpy(demo.attacks[0].carriers.GetColumnByName("Bit")) - 1.0
-    colours = {"none": "SteelBlue", "noise, 0.5 %": "DarkOrange", "quantized to 8 bits": "SeaGreen",
-               "simplification, 90 % of the edges": "Purple", "unmarked original": "Firebrick"}
-    curves = []
-    for row in demo.attacks:
-        if row.name in colours:
-            margins = np.sort(wanted * vtk_to_numpy(row.carriers.GetColumnByName("Margin")))
-            table = pictures.table_of(Carrier=np.arange(1, margins.size + 1), Margin=margins)
-            curves.append(pictures.Curve(table, "Carrier", "Margin", row.name, colours[row.name]))
-    pictures.write_chart(
-        demo.output / "carriers.png", curves,
-        "Carriers of the code: above 0 they hold their bit, below they read the other",
-        ("carriers, each copy's in order", "margin"))
-
-
-def spectrum_table(mesh: vtkPolyData, pictures) -> vtkTable:
-    """Component and magnitude, from the second component on: the first is the position."""
-    magnitudes = vtk_to_numpy(mesh.GetFieldData().GetArray("SpectrumMagnitude"))[1:]
-    return pictures.table_of(Component=np.arange(2, magnitudes.size + 2), Magnitude=magnitudes)
+    shown = ("none", "noise, 0.5 %", "quantized to 8 bits", "simplification, 90 % of the edges",
+             "unmarked original")
+    charts.write_carriers(demo.output / "carriers.png", [
+        (row.name, row.carriers) for name in shown for row in demo.attacks if row.name == name])
 
 
 def scaled_copy(mesh: vtkPolyData, array_name: str, factor: float) -> vtkPolyData:

@@ -9,6 +9,8 @@
 #include <vtkFieldData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkTable.h>
 
 #include <string>
 
@@ -26,9 +28,9 @@ constexpr const char* ResidualsName = "Residuals";
 constexpr const char* SpectrumName = "Spectrum";
 constexpr const char* SpectrumMagnitudeName = "SpectrumMagnitude";
 
-void AddFieldArray(vtkPolyData* output, const char* name, const Eigen::MatrixXd& values)
+vtkSmartPointer<vtkDoubleArray> ToArray(const char* name, const Eigen::MatrixXd& values)
 {
-  vtkNew<vtkDoubleArray> array;
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name);
   array->SetNumberOfComponents(static_cast<int>(values.cols()));
   array->SetNumberOfTuples(values.rows());
@@ -39,7 +41,17 @@ void AddFieldArray(vtkPolyData* output, const char* name, const Eigen::MatrixXd&
       array->SetComponent(row, static_cast<int>(column), values(row, column));
     }
   }
-  output->GetFieldData()->AddArray(array);
+  return array;
+}
+
+void AddFieldArray(vtkPolyData* output, const char* name, const Eigen::MatrixXd& values)
+{
+  output->GetFieldData()->AddArray(ToArray(name, values));
+}
+
+void AddColumn(vtkTable* table, const char* name, const Eigen::VectorXd& values)
+{
+  table->AddColumn(ToArray(name, values));
 }
 
 Eigen::MatrixXd VertexRows(vtkDataArray* array, const PolyDataMesh& mesh, Index columns)
@@ -68,6 +80,19 @@ void AttachHarmonics(vtkPolyData* output, const char* basisName, const PolyDataM
   AddFieldArray(output, SpectrumName, spectrum);
   AddFieldArray(output, SpectrumMagnitudeName, Magnitudes(spectrum));
   AddFieldArray(output, ResidualsName, harmonics.Residuals);
+}
+
+void FillSpectrumTable(vtkTable* table, const ManifoldHarmonics& harmonics,
+  const PolyDataMesh& mesh)
+{
+  const Spectrum spectrum = ForwardTransform(harmonics, mesh.Mesh.Points);
+  const Index count = harmonics.Eigenvalues.size();
+  AddColumn(table, "Component", Eigen::VectorXd::LinSpaced(count, 1.0, static_cast<double>(count)));
+  AddColumn(table, "Eigenvalue", harmonics.Eigenvalues);
+  AddColumn(table, "X", spectrum.col(0));
+  AddColumn(table, "Y", spectrum.col(1));
+  AddColumn(table, "Z", spectrum.col(2));
+  AddColumn(table, "Magnitude", Magnitudes(spectrum));
 }
 
 std::optional<ManifoldHarmonics> FindHarmonics(vtkPolyData* input, const char* basisName,

@@ -6,6 +6,8 @@
 #include "Core/ManifoldHarmonics.h"
 #include "Private/PolyDataMesh.h"
 
+class vtkTable;
+
 namespace spectralwatermark
 {
 
@@ -15,6 +17,10 @@ extern const char* const DefaultBasisName;
 /// Adds the basis, masses, eigenvalues, residuals, spectrum and magnitudes.
 void AttachHarmonics(vtkPolyData* output, const char* basisName, const PolyDataMesh& mesh,
   const ManifoldHarmonics& harmonics);
+
+/// A row per harmonic: Component, Eigenvalue, X, Y, Z, Magnitude.
+void FillSpectrumTable(vtkTable* table, const ManifoldHarmonics& harmonics,
+  const PolyDataMesh& mesh);
 
 /// The first `count` harmonics (0: all) that the input carries, if they are a basis of its
 /// geometry as it is now; nothing when there are none, too few, or stale ones.

@@ -12,6 +12,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStripper.h>
+#include <vtkTable.h>
 
 #include <gtest/gtest.h>
 
@@ -110,6 +111,28 @@ TEST(ManifoldHarmonicsFilter, OutputsTheArraysOfItsDocumentation)
   }
   EXPECT_NEAR(FieldArray(output, "SpectrumMagnitude")->GetComponent(11, 0),
     std::hypot(descriptor[0], descriptor[1], descriptor[2]), 1e-10);
+}
+
+TEST(ManifoldHarmonicsFilter, SpectrumIsATableToo)
+{
+  vtkNew<vtkManifoldHarmonics> harmonics;
+  harmonics->SetInputData(PolyData(shapes::Bumpy(3)));
+  harmonics->SetNumberOfHarmonics(30);
+  harmonics->Update();
+  const auto field = [&](const char* name, int row, int column)
+  { return FieldArray(harmonics->GetOutput(), name)->GetComponent(row, column); };
+  auto* table = vtkTable::SafeDownCast(harmonics->GetOutputDataObject(1));
+  ASSERT_EQ(table->GetNumberOfRows(), 30);
+  for (int k = 0; k < 30; ++k)
+  {
+    const auto cell = [&](const char* name) { return table->GetValueByName(k, name).ToDouble(); };
+    EXPECT_EQ(cell("Component"), k + 1.0);
+    EXPECT_EQ(cell("Eigenvalue"), field("Eigenvalues", k, 0));
+    EXPECT_EQ(cell("X"), field("Spectrum", k, 0));
+    EXPECT_EQ(cell("Y"), field("Spectrum", k, 1));
+    EXPECT_EQ(cell("Z"), field("Spectrum", k, 2));
+    EXPECT_EQ(cell("Magnitude"), field("SpectrumMagnitude", k, 0));
+  }
 }
 
 TEST(ManifoldHarmonicsFilter, KeepsWhatTheInputCarriesAndLeavesItAlone)

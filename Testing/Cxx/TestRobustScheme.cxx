@@ -3,6 +3,7 @@
 #include "Support/FilterTesting.h"
 
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkMeshAttack.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -45,6 +46,13 @@ vtkSmartPointer<vtkSpectralWatermarkDetect> DetectIn(vtkPolyData* mesh, const ch
   detect->SetSecretKey(secret);
   detect->UseDerivedMessageOn();
   return detect;
+}
+
+// A figure in the field data of the table, as an application without getters sees it.
+double Result(vtkAlgorithm* filter, const char* name)
+{
+  vtkDataArray* array = filter->GetOutputDataObject(1)->GetFieldData()->GetArray(name);
+  return array != nullptr ? array->GetComponent(0, 0) : NAN;
 }
 
 using Attack = std::function<void(vtkMeshAttack*)>;
@@ -164,6 +172,10 @@ TEST(RobustScheme, MarksWithSixtyFourBitsOfTheKey)
   EXPECT_EQ(detect->GetBitErrorRate(), 0.0);
   EXPECT_LT(detect->GetPValue(), 1e-25); // 2^-84
   EXPECT_STREQ(detect->GetExtractedMessage(), embed->GetExtractedMessage());
+  EXPECT_EQ(Result(embed, "Margin"), embed->GetMargin());
+  EXPECT_EQ(Result(embed, "Distortion"), embed->GetDistortion());
+  EXPECT_EQ(Result(detect, "PValue"), detect->GetPValue());
+  EXPECT_EQ(Result(detect, "Detected"), 1.0);
   EXPECT_EQ(vtkTable::SafeDownCast(detect->GetOutputDataObject(1))->GetNumberOfRows(), 168);
 
   const auto other = DetectIn(embed->GetOutput(), "yours");

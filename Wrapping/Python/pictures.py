@@ -94,9 +94,11 @@ def view_of(
 
 
 def write_panels(
-    path: Path, panels: list[Panel], columns: int, size: int, camera: vtkCamera | None = None
+    path: Path, panels: list[Panel], columns: int, size: int, camera: vtkCamera | None = None,
+    cameras: Sequence[vtkCamera] = (),
 ) -> None:
-    """Draws the panels in a grid, size pixels to a side each, seen by one camera if given."""
+    """Draws the panels in a grid, size pixels to a side each, seen by one camera or by one each if
+    given."""
     rows = -(-len(panels) // columns)
     window = _window(columns * size, rows * size)
     window.SetNumberOfLayers(2)
@@ -113,7 +115,8 @@ def write_panels(
             continue
         panel = panels[i]
         mapper = _mapper(panel)
-        picture = _mesh_renderer(mapper, camera or view_of(panel.mesh))
+        picture = _mesh_renderer(
+            mapper, cameras[i] if cameras else camera or view_of(panel.mesh))
         picture.SetViewport(
             left, low + bottom / rows, right, high - CAPTION_HEIGHT / rows)
         window.AddRenderer(picture)

@@ -49,6 +49,8 @@ def _run(arguments) -> int:
     from .requests import requests_of
 
     requests = requests_of(arguments)
+    if arguments.command == "report":
+        terminal.need_display()
     if len(requests) == 1:
         from .commands import run
 

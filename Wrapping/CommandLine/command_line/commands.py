@@ -25,8 +25,9 @@ from spectralwatermark.mesh_io import (
     write_mesh,
 )
 from spectralwatermark.running import FilterError, update
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import terminal
@@ -40,7 +41,7 @@ def run(request: dict, show: Show) -> dict:
     try:
         if "output" in request:
             check_writable(request["output"])
-            if not request["output"].lower().endswith(".csv"):
+            if request["command"] in ("embed", "attack"):
                 stores_float(request["output"])  # raises for a format that cannot be written
         return {"file": request["input"]} | _COMMANDS[request["command"]](request, show)
     except (MeshFileError, FilterError) as error:
@@ -84,14 +85,10 @@ def _embed(request: dict, show: Show) -> dict:
 
 
 def _detect(request: dict, show: Show) -> dict:
-    detect = vtkSpectralWatermarkDetect()
-    _set_watermark(detect, request)
+    detect = _detector(request)
     detect.SetInputData(read_mesh(request["input"]))
-    detect.SetExpectedMessage(request["message"])
-    derived = _has_secret(request) and not request["message"] and not request["read"]
-    detect.SetUseDerivedMessage(derived)
-    detect.SetFalsePositiveRate(request["rate"])
     seconds = _update(detect, show, "detecting")
+    derived = bool(detect.GetUseDerivedMessage())
     expected = derived or bool(request["message"])
     valid = bool(detect.GetMessageIsValid())
     read = detect.GetExtractedMessage()
@@ -106,6 +103,16 @@ def _detect(request: dict, show: Show) -> dict:
     if not derived and valid and (text := _text_of(read)):
         result["text"] = text
     return result
+
+
+def _detector(request: dict) -> vtkSpectralWatermarkDetect:
+    detect = vtkSpectralWatermarkDetect()
+    _set_watermark(detect, request)
+    detect.SetExpectedMessage(request["message"])
+    detect.SetUseDerivedMessage(
+        _has_secret(request) and not request["message"] and not request["read"])
+    detect.SetFalsePositiveRate(request["rate"])
+    return detect
 
 
 def _set_watermark(watermark: vtkSpectralWatermarkAlgorithm, request: dict) -> None:
@@ -225,7 +232,7 @@ def _harmonics(request: dict, show: Show) -> dict:
     mesh = harmonics.GetOutput()
     output = Path(request["output"])
     if output.suffix.lower() == ".csv":
-        write_file(output, lambda path: _write_spectrum(mesh, path))
+        write_file(output, lambda path: _write_table(harmonics.GetOutputDataObject(1), path))
     else:
         write_mesh(mesh, output)
     values = mesh.GetFieldData().GetArray("Eigenvalues")
@@ -234,15 +241,12 @@ def _harmonics(request: dict, show: Show) -> dict:
             "seconds": round(seconds, 3)}
 
 
-def _write_spectrum(mesh: vtkPolyData, path: Path) -> None:
-    data = mesh.GetFieldData()
-    values, spectrum, magnitudes = (data.GetArray(name)
-                                    for name in ("Eigenvalues", "Spectrum", "SpectrumMagnitude"))
+def _write_table(table: vtkTable, path: Path) -> None:
+    columns = [table.GetColumn(i) for i in range(table.GetNumberOfColumns())]
     with path.open("w", newline="") as file:
-        table = csv.writer(file)
-        table.writerow(["component", "eigenvalue", "x", "y", "z", "magnitude"])
-        for k in range(values.GetNumberOfTuples()):
-            table.writerow([k + 1, values.GetValue(k), *spectrum.GetTuple3(k), magnitudes.GetValue(k)])
+        rows = csv.writer(file)
+        rows.writerow([column.GetName().lower() for column in columns])
+        rows.writerows([[int(row[0]), *row[1:]] for row in zip(*map(vtk_to_numpy, columns))])
 
 
 def _info(request: dict, show: Show) -> dict:
@@ -257,5 +261,16 @@ def _info(request: dict, show: Show) -> dict:
     return result
 
 
+def _report(request: dict, show: Show) -> dict:
+    from spectralwatermark.report import write_report
+
+    readings = write_report(
+        read_mesh(request["input"]), read_mesh(request["marked"]), request["output"],
+        lambda: _detector(request), request["title"],
+        lambda algorithm, what: _update(algorithm, show, what))
+    return {"marked": request["marked"], "output": request["output"], "found": readings[0].found,
+            "attacks": len(readings) - 2, "survived": sum(each.found for each in readings[1:-1])}
+
+
 _COMMANDS = {"embed": _embed, "detect": _detect, "attack": _attack, "compare": _compare,
-             "harmonics": _harmonics, "info": _info}
+             "harmonics": _harmonics, "info": _info, "report": _report}

@@ -19,6 +19,7 @@ COMMANDS = {
     "compare": "how far two meshes are apart",
     "harmonics": "the mesh's own waves, and its spectrum",
     "info": "what meshes are made of",
+    "report": "a page that shows what a mark is worth",
 }
 
 OVERVIEW = f"""\
@@ -90,6 +91,14 @@ What a mesh is made of, and with --capacity how many bits it can hold.
   {PROGRAM} info model.ply --capacity"""
 
 
+REPORT = f"""\
+Attacks a marked mesh in many ways, reads every copy and writes one HTML page, with pictures from several
+sides, what was changed, and what the mark survives: to send along, or to keep. The secret is not in it.
+It draws, and so needs a display, or Debian's xvfb and libgl1-mesa-dri.
+
+  {PROGRAM} report model.ply marked.ply report.html --key-file my.key
+  {PROGRAM} report model.ply marked.ply report.html --text "(c) ACME\""""
+
 # How shtab, which makes the completion files, is told that an argument names a file.
 FILE = {"bash": "_shtab_compgen_files", "zsh": "_files", "tcsh": "f"}
 
@@ -124,6 +133,7 @@ def build_parser() -> argparse.ArgumentParser:
     _add_compare(commands)
     _add_harmonics(commands)
     _add_info(commands)
+    _add_report(commands)
     return parser
 
 
@@ -167,8 +177,7 @@ def _add_detect(commands) -> None:
                         help="with a secret: read what there is, instead of looking for the bits "
                              "derived from the secret")
     _add_scheme(parser)
-    parser.add_argument("--false-positive-rate", type=_share, default=1e-6, metavar="RATE",
-                        help="the largest p-value that counts as found (default: %(default)s)")
+    _add_rate(parser)
     _add_secret(parser)
     _add_common(parser)
 
@@ -240,6 +249,21 @@ def _add_info(commands) -> None:
     _add_common(parser)
 
 
+def _add_report(commands) -> None:
+    parser = _command(commands, "report", REPORT,
+                      usage=f"{PROGRAM} report [options] ORIGINAL MARKED OUT.html")
+    parser.add_argument("input", metavar="ORIGINAL").complete = FILE
+    parser.add_argument("marked", metavar="MARKED").complete = FILE
+    parser.add_argument("output", metavar="OUT.html").complete = FILE
+    parser.add_argument("--force", action="store_true", help="replace a file that is there already")
+    parser.add_argument("--title", default="A protected model", help="of the page")
+    _add_message(parser, "to look for")
+    _add_scheme(parser)
+    _add_rate(parser)
+    _add_secret(parser)
+    _add_common(parser)
+
+
 # --- What commands share -------------------------------------------------------------------------
 
 
@@ -277,6 +301,11 @@ def _add_secret(parser) -> None:
     secret.add_argument("--key-file", metavar="FILE", help="a file that holds the secret"
                         ).complete = FILE
     secret.add_argument("--ask-key", action="store_true", help="ask for the secret on the terminal")
+
+
+def _add_rate(parser) -> None:
+    parser.add_argument("--false-positive-rate", type=_share, default=1e-6, metavar="RATE",
+                        help="the largest p-value that counts as found (default: %(default)s)")
 
 
 def _add_many(parser) -> None:

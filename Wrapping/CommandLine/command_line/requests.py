@@ -84,8 +84,22 @@ def _info(arguments: Namespace) -> list[dict]:
                                   "distortion": arguments.distortion} for path in arguments.paths]
 
 
+def _report(arguments: Namespace) -> list[dict]:
+    request = _common(arguments) | _scheme(arguments) | {
+        "message": _message(arguments), "read": False, "rate": arguments.false_positive_rate,
+        "title": arguments.title, "marked": arguments.marked} | secret_of(arguments)
+    if not request["message"] and not {"key", "key_file"} & set(request):
+        raise UserError("nothing to look for: give the secret (--key-file FILE), or the message that was "
+                        "embedded (--text, --message)")
+    if Path(arguments.output).suffix.lower() not in (".html", ".htm"):
+        raise UserError(f"{arguments.output}: the report is a page: name it .html")
+    _check_different(arguments.input, arguments.output)
+    return [request | _in_and_out(arguments.marked, arguments.output, arguments.force)
+            | {"input": arguments.input}]
+
+
 _MAKERS = {"embed": _embed, "detect": _detect, "attack": _attack, "compare": _compare,
-           "harmonics": _harmonics, "info": _info}
+           "harmonics": _harmonics, "info": _info, "report": _report}
 
 
 # --- What they share -----------------------------------------------------------------------------

@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import json
+import os
+import shutil
 import signal
 import sys
 from collections.abc import Callable, Iterator
@@ -56,6 +58,17 @@ def progress(request: dict) -> Iterator[Callable[[float, str], None]]:
 
     with bar:
         yield show
+
+
+def need_display() -> None:
+    """Starts the program again on a virtual display when there is none."""
+    if os.environ.get("DISPLAY"):
+        return
+    if not shutil.which("xvfb-run"):
+        raise UserError("the report draws pictures: it needs a display, or the program xvfb-run (Debian: "
+                        "xvfb, xauth and libgl1-mesa-dri)")
+    os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", sys.executable,
+                           *sys.argv])
 
 
 # --- Being asked to stop -------------------------------------------------------------------------

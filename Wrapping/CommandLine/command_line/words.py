@@ -83,5 +83,10 @@ def _info(_request: dict, result: dict) -> list[str]:
     return lines
 
 
+def _report(_request: dict, result: dict) -> list[str]:
+    return [f"{result['output']}: the mark is {'found' if result['found'] else 'NOT found'} in "
+            f"{result['marked']}, and after {result['survived']} of {result['attacks']} attacks"]
+
+
 _WORDS = {"embed": _embed, "detect": _detect, "attack": _attack, "compare": _compare,
-          "harmonics": _harmonics, "info": _info}
+          "harmonics": _harmonics, "info": _info, "report": _report}

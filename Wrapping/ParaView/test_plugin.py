@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Loads the plugin, chains its filters and looks at what comes out. Run by test.sh, under pvbatch.
+
+    pvbatch test_plugin.py PLUGIN MESH OUTPUT
+
+Leaves harmonic.png, distortion.png and spectrum.png in OUTPUT.
+"""
+
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+import paraview
+from paraview import servermanager
+from paraview.simple import *
+
+# The menu's filters, and the filters' classes.
+FILTERS = ("ManifoldHarmonics", "ManifoldHarmonicsReconstruction", "ManifoldHarmonicsSimilarity",
+           "EmbedSpectralWatermark", "DetectSpectralWatermark", "MeshAttack", "MeshDistortion")
+SECRET = "a secret for the test"
+
+
+def main(plugin, mesh_file, output):
+    LoadPlugin(plugin, remote=False, ns=globals())
+    folder = Path(output)
+    folder.mkdir(parents=True, exist_ok=True)
+    with tempfile.NamedTemporaryFile("w", suffix=".key") as key:
+        key.write(SECRET)
+        key.flush()
+        check_documentation()
+        check_defaults()
+        model = OpenDataFile(mesh_file)
+        check_harmonics(model, folder)
+        check_watermark(model, key.name, folder)
+        check_nothing_holds_the_secret(key.name, folder)
+        check_macro(model, key.name)
+    print("the plugin works")
+
+
+def check_documentation():
+    """Every filter is there, and every property of it says what it is."""
+    for name in FILTERS:
+        proxy = globals()[name].__new__ and servermanager.ProxyManager().GetPrototypeProxy(
+            "filters", PROXY[name])
+        assert proxy.GetDocumentation().GetShortHelp(), name
+        assert proxy.GetHints().FindNestedElementByName("ShowInMenu").GetAttribute(
+            "category") == "Spectral Watermark", name
+        properties = proxy.NewPropertyIterator()
+        properties.Begin()
+        count = 0
+        while not properties.IsAtEnd():
+            each = properties.GetProperty()
+            assert each.GetDocumentation() and each.GetDocumentation().GetDescription().strip(), (
+                name, properties.GetKey())
+            assert properties.GetKey() != "SecretKey", name
+            count += 1
+            properties.Next()
+        assert count >= 4, (name, count)
+
+
+PROXY = {"EmbedSpectralWatermark": "SpectralWatermarkEmbed",
+         "DetectSpectralWatermark": "SpectralWatermarkDetect",
+         **{name: name for name in FILTERS if "Watermark" not in name}}
+# What ParaView sets otherwise than the classes do, on purpose.
+DIFFERENT = {("DetectSpectralWatermark", "UseDerivedMessage")}
+
+
+def check_defaults():
+    """What the panel shows first is what the class has."""
+    for name in FILTERS:
+        prototype = servermanager.ProxyManager().GetPrototypeProxy("filters", PROXY[name])
+        fresh = servermanager.ProxyManager().NewProxy("filters", PROXY[name])
+        fresh.UpdateVTKObjects()
+        made = fresh.GetClientSideObject()
+        plain = type(made)()
+        properties = prototype.NewPropertyIterator()
+        properties.Begin()
+        while not properties.IsAtEnd():
+            key, each = properties.GetKey(), properties.GetProperty()
+            properties.Next()
+            if each.GetInformationOnly() or not hasattr(plain, f"Get{key}") or (name, key) in DIFFERENT:
+                continue
+            if key in ("NumberOfBits",):  # 0 stands for the scheme's own
+                continue
+            ours, theirs = getattr(made, f"Get{key}")(), getattr(plain, f"Get{key}")()
+            assert ours == theirs, (name, key, ours, theirs)
+
+
+def check_harmonics(model, folder):
+    harmonics = ManifoldHarmonics(Input=model, NumberOfHarmonics=60)
+    harmonics.UpdatePipeline()
+    assert harmonics.PointData["ManifoldHarmonics"].GetNumberOfComponents() == 60
+    view = CreateView("RenderView", ViewSize=[900, 700])
+    display = Show(harmonics, view)
+    ColorBy(display, ("POINTS", "ManifoldHarmonics", "29"))
+    display.RescaleTransferFunctionToDataRange(True)
+    display.SetScalarBarVisibility(view, True)
+    view.ResetCamera(True)
+    SaveScreenshot(str(folder / "harmonic.png"), view, ImageResolution=(900, 700))
+
+    chart = CreateView("XYChartView", ViewSize=[900, 600])
+    shown = Show(OutputPort(harmonics, 1), chart, "XYChartRepresentation")
+    shown.UseIndexForXAxis = 0
+    shown.XArrayName = "Component"
+    shown.SeriesVisibility = ["Magnitude"]
+    chart.LeftAxisLogScale = 1
+    chart.ChartTitle = "Spectrum"
+    chart.BottomAxisTitle = "component"
+    Render(chart)
+    SaveScreenshot(str(folder / "spectrum.png"), chart, ImageResolution=(900, 600))
+
+    smooth = ManifoldHarmonicsReconstruction(Input=harmonics, NumberOfHarmonics=30)
+    smooth.UpdatePipeline()
+    assert smooth.GetDataInformation().GetNumberOfPoints() == \
+        harmonics.GetDataInformation().GetNumberOfPoints()
+    similarity = ManifoldHarmonicsSimilarity(Reference=harmonics, Other=harmonics)
+    similarity.UpdatePipeline()
+    similarities = similarity.GetDataInformation(1).GetRowDataInformation()
+    lowest = similarities.GetArrayInformation("Similarity").GetComponentRange(0)[0]
+    assert abs(lowest - 1.0) < 1e-6, lowest
+
+
+def check_watermark(model, key_file, folder):
+    embed = EmbedSpectralWatermark(Input=model, SecretKeyFile=key_file)
+    attack = MeshAttack(Input=OutputPort(embed, 0), Attack="Simplification",
+                        SimplificationPercent=30.0)
+    detect = DetectSpectralWatermark(Input=attack, SecretKeyFile=key_file)
+    unmarked = DetectSpectralWatermark(Input=model, SecretKeyFile=key_file)
+    distortion = MeshDistortion(Reference=model, Distorted=OutputPort(embed, 0))
+    for each in (embed, attack, detect, unmarked, distortion):
+        each.UpdatePipeline()
+    assert result(embed, "Converged") == 1.0
+    assert result(detect, "Detected") == 1.0 and result(detect, "PValue") < 1e-20
+    assert result(unmarked, "Detected") == 0.0 and result(unmarked, "PValue") > 1e-6
+    assert 0.0 < distortion.FieldData["MRMS"].GetRange()[0] < 0.0008
+
+    view = CreateView("RenderView", ViewSize=[900, 700])
+    display = Show(distortion, view)
+    ColorBy(display, ("POINTS", "GeometricDifference"))
+    display.RescaleTransferFunctionToDataRange(True)
+    display.SetScalarBarVisibility(view, True)
+    view.ResetCamera(True)
+    SaveScreenshot(str(folder / "distortion.png"), view, ImageResolution=(900, 700))
+
+
+def result(watermark, name):
+    figures = watermark.GetDataInformation(1).GetFieldDataInformation()
+    return figures.GetArrayInformation(name).GetComponentRange(0)[0]
+
+
+def check_nothing_holds_the_secret(key_file, folder):
+    state = folder / "state.pvsm"
+    SaveState(str(state))
+    script = folder / "state.py"
+    SaveState(str(script))
+    for file in (state, script):
+        text = file.read_text()
+        assert SECRET not in text, file
+        assert os.path.basename(key_file) in text, file
+
+
+def check_macro(model, key_file):
+    os.environ["SPECTRAL_WATERMARK_KEY_FILE"] = key_file
+    SetActiveSource(model)
+    macro = {**globals()}
+    exec((Path(__file__).parent / "protect_and_verify.py").read_text(), macro)
+    assert macro["verdict_of"](FindSource("Whose is it")).startswith("mine, p-value"), "macro"
+    assert len(GetViewsInLayout(GetLayoutByName("Protect and verify"))) == 3
+
+
+main(*sys.argv[1:])
