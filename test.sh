@@ -3,7 +3,8 @@
 #
 #   ./test.sh          the quick set: what every change must pass
 #   ./test.sh --full   also: the filters under the sanitizers, clang with warnings as errors,
-#                      clang-tidy, the ParaView plugin, and large scans in every mode
+#                      clang-tidy, the ParaView plugin, large scans in every mode, and the packages in
+#                      a clean root
 #
 # Tests on real scans look in SPECTRALWATERMARK_MESH_DIR and skip without it (see CONTRIBUTING.md).
 set -euo pipefail
@@ -48,3 +49,7 @@ cmake --preset release -DSPECTRALWATERMARK_BUILD_TESTING=ON \
   -DSPECTRALWATERMARK_WARNINGS_AS_ERRORS=ON
 cmake --build --preset release
 ctest --preset release -j "$jobs"
+if [ $full = yes ]; then
+  echo "== packages in a clean root"
+  Testing/Packages/test.sh
+fi

@@ -31,7 +31,8 @@ def write(folder: Path) -> None:
     body = "\n".join([
         "<h1>What survives</h1>",
         f'<p class="lead">Bit error rates after attacks: means over {escape(", ".join(meshes))} and '
-        f"{len(keys)} keys, each with its own message. A rate of .5 is chance.</p>",
+        f"{len(keys)} key{'s' if len(keys) != 1 else ''}, each with its own message. A rate of .5 is "
+        "chance.</p>",
         _marks(schemes, marks), _rates(schemes, outcomes), _found(schemes, outcomes),
         _by_mesh(schemes, outcomes, meshes), _curves(schemes, outcomes, folder),
         _certainty(schemes, outcomes, folder),
