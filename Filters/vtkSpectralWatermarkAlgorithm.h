@@ -201,6 +201,9 @@ protected:
    */
   std::unique_ptr<spectralwatermark::SecretKey> ReadRobustKey() const;
 
+  /**
+   * Whether the scheme is Robust.
+   */
   bool IsRobust() const { return this->Scheme == Robust; }
 
   /**

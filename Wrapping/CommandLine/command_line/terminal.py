@@ -14,6 +14,7 @@ from contextlib import contextmanager
 PROGRAM = "spectral-watermark"
 
 _stopped_by: int | None = None
+_bar = None  # the progress bar that is on the terminal
 
 
 class UserError(Exception):
@@ -26,6 +27,8 @@ def say_error(text: str) -> None:
 
 def say(request: dict, result: dict, as_json: bool) -> None:
     """One mesh's result, on standard output; an error on standard error too."""
+    if _bar is not None:
+        _bar.clear()
     if as_json:
         print(json.dumps(result), flush=True)
     if "error" in result:
@@ -56,8 +59,13 @@ def progress(request: dict) -> Iterator[Callable[[float, str], None]]:
             bar.reset()
         bar.update(share - bar.n)
 
-    with bar:
-        yield show
+    global _bar
+    _bar = bar
+    try:
+        with bar:
+            yield show
+    finally:
+        _bar = None
 
 
 def need_display() -> None:
