@@ -5,8 +5,9 @@
     PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 Examples/Python/batch_folder.py \
         FOLDER OUTPUT KEYFILE
 
-OUTPUT gets the marked meshes and marks.csv. A mesh that cannot be read or marked is reported, and the rest goes
-on. (spectral-watermark embed FOLDER/* --output-dir OUTPUT does the same, several at a time.)
+OUTPUT gets the marked meshes, those that are not there yet, and marks.csv. A mesh that cannot be read or marked
+is reported, and the rest goes on. (spectral-watermark embed FOLDER/* --output-dir OUTPUT --key-file KEYFILE does
+much the same, several at a time.)
 """
 
 import csv
@@ -23,12 +24,14 @@ SUFFIXES = (".ply", ".obj", ".stl", ".vtp")
 def main(folder: str, output: str, key_file: str) -> int:
     target = Path(output)
     target.mkdir(parents=True, exist_ok=True)
+    if target.samefile(folder):
+        sys.exit("OUTPUT is FOLDER: the originals would be lost; name another folder")
     failed = 0
     with (target / "marks.csv").open("w", newline="") as file:
         table = csv.writer(file)
         table.writerow(["file", "points", "distortion_percent", "margin"])
         for path in sorted(Path(folder).iterdir()):
-            if path.suffix.lower() not in SUFFIXES:
+            if path.suffix.lower() not in SUFFIXES or (target / path.name).exists():
                 continue
             try:
                 table.writerow(mark(path, target / path.name, key_file))

@@ -64,7 +64,7 @@ class InFolder(unittest.TestCase):
 class StoryTest(InFolder):
     def test_mine_and_not_mine(self):
         said = self.succeed("embed", "model.ply", "marked.ply", "--key-file", "my.key")
-        self.assertRegex(said, r"^marked.ply: 64 bits, moved by 0\.0\d+ % of the diagonal, read back")
+        self.assertRegex(said, r"^marked.ply: 64 bits under the secret, moved by 0\.0\d+ % of the diagonal, read back")
         self.succeed("attack", "marked.ply", "attacked.obj", "--similarity", "--noise", 0.2,
                      "--shuffle", "--simplify", 20)
         said = self.succeed("detect", "attacked.obj", "--key-file", "my.key")
@@ -104,6 +104,10 @@ class StoryTest(InFolder):
         self.succeed("embed", "model.ply", "marked.ply", "--scheme", "paper", "--message", "10110")
         said = self.succeed("detect", "marked.ply", "--scheme", "paper")
         self.assertIn("reads 10110", said)
+        expected = ("--scheme", "paper", "--message", "10110")
+        self.fail_with("cannot prove", "0 bits wrong", of=("detect", "marked.ply", *expected))
+        self.assertIn("found, p-value 0.05",
+                      self.succeed("detect", "marked.ply", *expected, "--false-positive-rate", 0.1))
 
     def test_compare(self):
         self.succeed("attack", "model.ply", "noisy.ply", "--noise", 1)
@@ -202,8 +206,16 @@ class ManyTest(InFolder):
         self.embed_all("--force")
         self.assertNotEqual(Path("out/model.ply").stat().st_mtime_ns, first)
 
+    def test_one_file_is_skipped_too(self):
+        Path("out").mkdir()
+        Path("out/model.ply").write_text("mine")
+        said = run("embed", "model.ply", "--output-dir", "out", "--key-file", "my.key")
+        self.assertEqual(said.returncode, DONE)
+        self.assertIn("skipped", said.stdout)
+        self.assertEqual(Path("out/model.ply").read_text(), "mine")
+
     def test_jobs_and_threads_change_nothing(self):
-        for folder, more in (("one", ("--threads", 1)), ("two", ("--jobs", 2))):
+        for folder, more in (("one", ("--threads", 1)), ("two", ("--jobs", 2, "--threads", 6))):
             self.succeed_many("embed", "model.ply", "second.ply", "--output-dir", folder,
                               "--key-file", "my.key", *more)
         self.assertEqual(Path("one/model.ply").read_bytes(), Path("two/model.ply").read_bytes())
@@ -261,6 +273,31 @@ class BadInputTest(InFolder):
         self.fail_with("64 bits would move the surface by",
                        of=("embed", "model.ply", "out.ply", "--key-file", "my.key", "--distortion", 1e-4))
 
+    def test_a_secret_on_the_command_line_is_refused_and_not_repeated(self):
+        for given in (("--key", "hunter2"), ("--key=hunter2",)):
+            self.fail_with("not taken from the command line", of=("detect", "model.ply", *given))
+            self.assertNotIn("hunter2", run("detect", "model.ply", *given).stderr)
+
+    def test_numbers_out_of_all_range(self):
+        huge = 99999999999
+        for arguments in (("detect", "model.ply", "--bits", huge), ("info", "model.ply", "--threads", huge),
+                          ("attack", "model.ply", "out.ply", "--smooth", huge),
+                          ("attack", "model.ply", "out.ply", "--noise", 1, "--seed", huge),
+                          ("harmonics", "model.ply", "out.csv", "--number", huge)):
+            self.fail_with("--help", of=arguments)
+
+    def test_text_and_names_that_are_no_utf8(self):
+        self.fail_with("not text in UTF-8", of=("embed", "model.ply", "out.ply", "--text", "\udcff"))
+        os.rename("model.ply", "\udcff.ply")
+        self.assertEqual(run("info", "\udcff.ply", errors="surrogateescape").returncode, DONE)
+
+    def test_files_on_both_sides_of_an_option(self):
+        self.succeed("embed", "model.ply", "--message", "1", "out.ply")
+
+    def test_no_key_forgets_the_environment(self):
+        self.succeed("embed", "model.ply", "out.ply", "--message", "1011", "--no-key", secret="a secret")
+        self.assertIn("reads 1011", self.succeed("detect", "out.ply", "--bits", 4))
+
     def test_options(self):
         self.fail_with("--help", of=())
         self.fail_with("invalid choice", of=("destroy", "model.ply"))
@@ -289,18 +326,58 @@ class FaultTest(InFolder):
         self.fail_with("not written", of=("attack", "model.ply", "out.ply", "--noise", 1),
                        preexec_fn=limit)
 
-    def test_a_signal_leaves_no_file(self):
-        before = set(self.folder.iterdir())
-        with subprocess.Popen(
-                [sys.executable, PROGRAM, "attack", "model.ply", "out.ply",
-                 *("--subdivide", "midpoint") * 4, "--low-pass", "400"],
-                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
-            time.sleep(1.5)
-            process.send_signal(signal.SIGTERM)
+    def interrupted(self, *arguments, by, when):
+        """What the program says when the signal comes as soon as when() holds."""
+        with subprocess.Popen([sys.executable, PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True) as process:
+            end = time.monotonic() + 60
+            while not when(process.pid):
+                self.assertIsNone(process.poll())
+                self.assertLess(time.monotonic(), end)
+                time.sleep(0.01)
+            process.send_signal(by)
             _, said = process.communicate(timeout=60)
-        self.assertEqual(process.returncode, ERROR)
+        self.assertEqual(process.returncode, ERROR, said)
+        return said
+
+    @staticmethod
+    def has_loaded_vtk(pid):
+        return "vtkIOPLY" in Path(f"/proc/{pid}/maps").read_text()
+
+    def test_a_signal_in_the_filter_leaves_no_file(self):
+        before = set(self.folder.iterdir())
+        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+            said = self.interrupted(
+                "attack", "model.ply", "out.ply", *("--subdivide", "midpoint") * 4, "--low-pass", 400,
+                by=number, when=self.has_loaded_vtk)
+            self.assertIn("stopped", said)
+            self.assertEqual(set(self.folder.iterdir()), before)
+
+    def test_a_signal_while_writing_leaves_no_part_of_a_file(self):
+        """What is begun is written to its end, which is soon."""
+        with subprocess.Popen([sys.executable, PROGRAM, "attack", "model.ply", "out.ply",
+                               *("--subdivide", "midpoint") * 3], stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL) as process:
+            end = time.monotonic() + 60
+            while not list(self.folder.glob(".*.partial.ply")):
+                self.assertIsNone(process.poll())
+                self.assertLess(time.monotonic(), end)
+            process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.returncode, DONE)
+        self.assertEqual(list(self.folder.glob(".*")), [])
+        self.succeed("info", "out.ply")
+
+    def test_many_files_stop_together(self):
+        for number in range(6):
+            shutil.copy("model.ply", f"{number}.ply")
+        said = self.interrupted("embed", *(f"{number}.ply" for number in range(6)), "--output-dir", "out",
+                                "--key-file", "my.key", "--jobs", 2, by=signal.SIGINT,
+                                when=lambda pid: Path(f"/proc/{pid}/task/{pid}/children").exists()
+                                and list(Path("out").glob("*.ply")))
         self.assertIn("stopped", said)
-        self.assertEqual(set(self.folder.iterdir()), before)
+        self.assertNotIn("Traceback", said)
+        self.assertEqual(list(Path("out").glob(".*")), [])
+        self.assertLess(len(list(Path("out").iterdir())), 6)
 
 
 class TerminalTest(InFolder):

@@ -4,9 +4,8 @@
 set -euo pipefail
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build=$project/build/paraview
-export PYTHONPATH="$build/root/usr/lib/python3/dist-packages"
 # -noreset: ParaView opens and closes its first connection before it draws.
-exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvbatch3.11 \
+exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$project/Wrapping/ParaView/start.sh" pvbatch \
   "$project/Wrapping/ParaView/test_plugin.py" \
   "$build/lib/paraview-plugins/SpectralWatermark/SpectralWatermark.so" \
   "$project/Data/pebble.ply" "$build/test"

@@ -102,10 +102,11 @@ def read_mesh(path: str | os.PathLike) -> vtkPolyData:
     return mesh
 
 
-def write_mesh(mesh: vtkPolyData, path: str | os.PathLike) -> None:
+def write_mesh(mesh: vtkPolyData, path: str | os.PathLike, replace: bool = True) -> None:
     """Writes a PLY, OBJ, STL or VTP file, whole or not at all; raises MeshFileError.
 
-    A file that is there already keeps its permissions, and stays as it is when writing fails.
+    A file that is there already keeps its permissions, and stays as it is when writing fails, or when it
+    is not to be replaced.
     """
     path = Path(path)
     check_writable(path)
@@ -117,10 +118,12 @@ def write_mesh(mesh: vtkPolyData, path: str | os.PathLike) -> None:
         _check_cells(mesh)
         _WRITERS[suffix](mesh, partial)
 
-    write_file(path, write)
+    write_file(path, write, replace)
 
 
-def write_file(path: str | os.PathLike, write: Callable[[Path], object]) -> None:
+def write_file(
+    path: str | os.PathLike, write: Callable[[Path], object], replace: bool = True
+) -> None:
     """Has write() fill a file beside `path`, then renames it: whole or not at all."""
     path = Path(path)
     target = Path(os.path.realpath(path))  # a link goes on pointing
@@ -128,9 +131,14 @@ def write_file(path: str | os.PathLike, write: Callable[[Path], object]) -> None
     try:
         partial.touch()  # says why, where VTK would only say that it cannot
         write(partial)
+        if not replace:
+            os.link(partial, target)  # fails when there is one by now; a rename would not
+            return
         if target.exists():
             shutil.copymode(target, partial)
         partial.replace(target)
+    except FileExistsError:
+        raise MeshFileError(f"{path}: is there already; not replaced") from None
     except MeshFileError as error:
         raise MeshFileError(f"{path}: not written: {error}") from None
     except OSError as error:

@@ -71,11 +71,13 @@ def write_report(
     detector: Callable[[], vtkSpectralWatermarkDetect],
     title: str = "A protected model",
     run: Callable[[vtkAlgorithm, str], object] = lambda algorithm, what: update(algorithm),
+    replace: bool = True,
 ) -> list[Reading]:
     """Attacks the marked mesh, reads every copy and writes the page, whole or not at all.
 
     detector() gives a detector that expects a message: derived from a secret, or given. The page does
-    not hold the secret. run(algorithm, what) updates a filter. Raises FilterError and MeshFileError.
+    not hold the secret. run(algorithm, what) updates a filter. A file that is there already stays unless
+    it is to be replaced. Raises FilterError and MeshFileError.
     """
     distortion = vtkMeshDistortion()
     distortion.SetInputData(0, original)
@@ -87,7 +89,7 @@ def write_report(
         folder = Path(name)
         _draw(folder, original, marked, distortion, readings, spectra)
         page = _page(folder, title, distortion, readings)
-    write_file(path, lambda partial: partial.write_text(page, encoding="utf-8"))
+    write_file(path, lambda partial: partial.write_text(page, encoding="utf-8"), replace)
     return readings
 
 

@@ -10,8 +10,7 @@
     words.py      results in words
     terminal.py   results as lines or JSON, progress, errors
 
-Nothing of VTK or numpy is imported before the arguments are understood, so that --help and mistakes
-answer at once.
+What takes long to import (numpy, VTK's readers) waits until the arguments are understood.
 """
 
 from __future__ import annotations
@@ -26,41 +25,45 @@ DONE, NOT_FOUND, ERROR = 0, 1, 2
 
 def main(arguments: list[str] | None = None) -> int:
     """Runs the program; its exit code: 0 done or found, 1 not found, 2 error."""
-    from .parser import parse
-
     if arguments is None:
         arguments = sys.argv[1:]
+    terminal.print_any_name()
     try:
         if arguments == ["worker"]:  # what --jobs starts: a request on standard input
             from .many import work
 
             return work()
-        return _run(parse(arguments))
+        return _run(arguments)
     except terminal.UserError as error:
         terminal.say_error(str(error))
-        return ERROR
+    except KeyboardInterrupt:
+        terminal.say_error("stopped")
     except BrokenPipeError:  # the reader of our output went away: nobody to tell
-        sys.stdout = None
-        return ERROR
+        terminal.forget_output()
+    except Exception as error:  # noqa: BLE001 - a traceback would end with the code of "not found"
+        terminal.say_error(f"{type(error).__name__}: {error}; please report this")
+    return ERROR
 
 
-def _run(arguments) -> int:
-    terminal.catch_signals((signal.SIGINT, signal.SIGTERM))
+def _run(typed: list[str]) -> int:
+    from .parser import parse
     from .requests import requests_of
 
+    arguments = parse(typed)
     requests = requests_of(arguments)
-    if arguments.command == "report":
-        terminal.need_display()
-    if len(requests) == 1:
+    # Only now: a prompt for the secret ends at once.
+    terminal.catch_signals((signal.SIGINT, signal.SIGTERM, signal.SIGHUP))
+    if len(requests) > 1:
+        from .many import run_all
+
+        return run_all(requests, arguments.jobs, arguments.json)
+    with terminal.display(arguments.command == "report"):
         from .commands import run
 
         with terminal.progress(requests[0]) as show:
             result = run(requests[0], show)
-        terminal.say(requests[0], result, arguments.json)
-        return code_of(result)
-    from .many import run_all
-
-    return run_all(requests, arguments.jobs, arguments.json)
+    terminal.say(requests[0], result, arguments.json)
+    return code_of(result)
 
 
 def code_of(result: dict) -> int:

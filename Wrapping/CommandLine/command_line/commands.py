@@ -37,6 +37,8 @@ Show = Callable[[float, str], None]
 
 def run(request: dict, show: Show) -> dict:
     """The result; an "error" in it, in one line, when something went wrong."""
+    if request.get("skip"):
+        return {"file": request["input"], "output": request["output"], "skipped": True}
     vtkSMPTools.Initialize(request["threads"])
     try:
         if "output" in request:
@@ -48,6 +50,9 @@ def run(request: dict, show: Show) -> dict:
         text = str(error)
         of_file = isinstance(error, MeshFileError) or text.startswith(request["input"])
         return {"file": request["input"], "error": text if of_file else f"{request['input']}: {text}"}
+    except Exception as error:  # noqa: BLE001 - one file must not end the run, nor look like "not found"
+        return {"file": request["input"],
+                "error": f"{request['input']}: {type(error).__name__}: {error}; please report this"}
 
 
 def _update(algorithm: vtkAlgorithm, show: Show, what: str) -> float:
@@ -74,8 +79,8 @@ def _embed(request: dict, show: Show) -> dict:
     if not embed.GetConverged():
         raise FilterError("the mark could not be embedded so that it is read back; nothing was written. "
                           "Try fewer bits or more --distortion")
-    write_mesh(embed.GetOutput(), request["output"])
-    result = {"output": request["output"], "scheme": request["scheme"],
+    write_mesh(embed.GetOutput(), request["output"], request["force"])
+    result = {"output": request["output"], "scheme": request["scheme"], "secret": _has_secret(request),
               "bits": len(embed.GetExtractedMessage()), "seconds": round(seconds, 3)}
     if request["scheme"] == "robust":
         result |= {"distortion_percent": embed.GetDistortion(), "margin": embed.GetMargin()}
@@ -92,14 +97,18 @@ def _detect(request: dict, show: Show) -> dict:
     expected = derived or bool(request["message"])
     valid = bool(detect.GetMessageIsValid())
     read = detect.GetExtractedMessage()
-    result = {"scheme": request["scheme"], "bits": len(read), "read": read, "valid": valid,
-              "found": bool(detect.GetDetected()) if expected else valid,
-              "seconds": round(seconds, 3)}
+    result = {"scheme": request["scheme"], "secret": _has_secret(request), "bits": len(read),
+              "read": read, "valid": valid, "seconds": round(seconds, 3)}
     if expected:
-        result |= {"p_value": detect.GetPValue(),
+        result |= {"found": bool(detect.GetDetected()), "p_value": detect.GetPValue(),
                    "wrong_bits": round(detect.GetBitErrorRate() * len(read))}
-    elif request["scheme"] == "paper":  # whose messages have no check: reading is all there is
-        result["found"] = True
+        if request["scheme"] == "paper" and 2.0 ** -len(read) > request["rate"]:
+            raise FilterError(f"{len(read)} bits of the paper's scheme cannot prove a mark at a false "
+                              f"positive rate of {request['rate']:g}: look for more bits, or give "
+                              f"--false-positive-rate (here p = {detect.GetPValue():.2g}, "
+                              f"{result['wrong_bits']} bits wrong)")
+    elif request["scheme"] == "robust":  # messages of the paper's scheme have no check: read, not found
+        result["found"] = valid
     if not derived and valid and (text := _text_of(read)):
         result["text"] = text
     return result
@@ -153,7 +162,7 @@ def _attack(request: dict, show: Show) -> dict:
         _ATTACKS[name](attack, value)
         _update(attack, show, name)
         mesh = attack.GetOutput()
-    write_mesh(mesh, request["output"])
+    write_mesh(mesh, request["output"], request["force"])
     return {"output": request["output"], "steps": [name for name, _ in request["steps"]],
             "points_before": before, "points": mesh.GetNumberOfPoints()}
 
@@ -214,7 +223,7 @@ def _compare(request: dict, show: Show) -> dict:
     distortion.SetInputData(1, other)
     _update(distortion, show, "comparing")
     if "output" in request:
-        write_mesh(distortion.GetOutput(), request["output"])
+        write_mesh(distortion.GetOutput(), request["output"], request["force"])
     result = {"other": request["other"], "mrms_percent": 100.0 * distortion.GetMRMS(),
               "hausdorff_percent": 100.0 * distortion.GetHausdorff(), "msdm2": distortion.GetMSDM2()}
     if distortion.GetGeomDiff() >= 0.0:  # points correspond
@@ -232,9 +241,10 @@ def _harmonics(request: dict, show: Show) -> dict:
     mesh = harmonics.GetOutput()
     output = Path(request["output"])
     if output.suffix.lower() == ".csv":
-        write_file(output, lambda path: _write_table(harmonics.GetOutputDataObject(1), path))
+        write_file(output, lambda path: _write_table(harmonics.GetOutputDataObject(1), path),
+                   request["force"])
     else:
-        write_mesh(mesh, output)
+        write_mesh(mesh, output, request["force"])
     values = mesh.GetFieldData().GetArray("Eigenvalues")
     return {"output": request["output"], "number": values.GetNumberOfTuples(),
             "largest_eigenvalue": values.GetValue(values.GetNumberOfTuples() - 1),
@@ -267,7 +277,7 @@ def _report(request: dict, show: Show) -> dict:
     readings = write_report(
         read_mesh(request["input"]), read_mesh(request["marked"]), request["output"],
         lambda: _detector(request), request["title"],
-        lambda algorithm, what: _update(algorithm, show, what))
+        lambda algorithm, what: _update(algorithm, show, what), request["force"])
     return {"marked": request["marked"], "output": request["output"], "found": readings[0].found,
             "attacks": len(readings) - 2, "survived": sum(each.found for each in readings[1:-1])}
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import subprocess
 import sys
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 
 from . import code_of, terminal
 
@@ -19,33 +20,39 @@ def run_all(requests: list[dict], jobs: int, as_json: bool) -> int:
     results: list[dict] = []
     with terminal.progress(requests[0]) as show, ThreadPoolExecutor(jobs) as pool:
         futures = [pool.submit(_run_one, request) for request in requests]
-        pending = set(futures)
-        while pending:
-            _, pending = wait(pending, timeout=0.2, return_when=FIRST_COMPLETED)
-            if terminal.stopped():
-                _stop(futures)
-            while len(results) < len(futures) and futures[len(results)].done():
-                future = futures[len(results)]
-                request = requests[len(results)]
-                results.append(_result_of(request, future))
-                terminal.say(request, results[-1], as_json)
-            done = sum(future.done() for future in futures)
-            show(done / len(futures), f"{done} of {len(futures)} files")
+        try:
+            while len(results) < len(futures):
+                if terminal.stopped():
+                    _stop(futures)
+                wait(futures[len(results):len(results) + 1], timeout=0.2)
+                while len(results) < len(futures) and futures[len(results)].done():
+                    request = requests[len(results)]
+                    results.append(_result_of(request, futures[len(results)]))
+                    terminal.say(request, results[-1], as_json)
+                done = sum(future.done() for future in futures)
+                show(done / len(futures), f"{done} of {len(futures)} files")
+        except BaseException:  # nobody takes the output, say: the rest is not for nobody
+            _stop(futures)
+            raise
     _summarise(requests[0]["command"], results)
     return max(code_of(result) for result in results)
 
 
 def _result_of(request: dict, future: Future) -> dict:
     if future.cancelled():
-        return {"file": request["input"], "error": f"{request['input']}: not done: stopped"}
+        return _stopped(request)
     return future.result()
+
+
+def _stopped(request: dict) -> dict:
+    return {"file": request["input"], "error": f"{request['input']}: not done: stopped"}
 
 
 def _stop(futures: list[Future]) -> None:
     for future in futures:
         future.cancel()
-    for process in list(_running):
-        process.terminate()
+    while _running:  # each is told once: told twice, it would end at once
+        _running.pop().terminate()
 
 
 def _run_one(request: dict) -> dict:
@@ -55,22 +62,24 @@ def _run_one(request: dict) -> dict:
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
     with subprocess.Popen([sys.executable, "-m", "spectralwatermark.command_line", "worker"],
                           stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          text=True, env=environment, start_new_session=True) as process:
+                          env=environment, start_new_session=True) as process:
         _running.add(process)
-        output, complaints = process.communicate(json.dumps(request))
+        output, complaints = process.communicate(json.dumps(request).encode())
         _running.discard(process)
     try:
         return json.loads(output)
     except ValueError:
-        last = complaints.strip().splitlines()[-1:] or [f"the process ended with {process.returncode}"]
+        if terminal.stopped():
+            return _stopped(request)
+        last = complaints.decode(errors="replace").strip().splitlines()[-1:] or [
+            f"the process that read it ended with {process.returncode}; is the file damaged?"]
         return {"file": request["input"], "error": f"{request['input']}: {last[0]}"}
 
 
 def work() -> int:
     """A worker: one request in, one result out."""
-    import signal
-
-    terminal.catch_signals((signal.SIGTERM,))
+    terminal.catch_signals((signal.SIGTERM, signal.SIGHUP))
+    terminal.end_with_parent()
     request = json.load(sys.stdin)
     from .commands import run
 

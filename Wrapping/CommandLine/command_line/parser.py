@@ -104,6 +104,9 @@ FILE = {"bash": "_shtab_compgen_files", "zsh": "_files", "tcsh": "f"}
 
 
 class _Parser(argparse.ArgumentParser):
+    def __init__(self, **more):
+        super().__init__(allow_abbrev=False, **more)  # or --key would be --key-file
+
     def error(self, message: str) -> NoReturn:
         raise UserError(f"{message}; see {self.prog} --help")
 
@@ -118,7 +121,16 @@ class _InOrder(argparse.Action):
 
 
 def parse(arguments: list[str]) -> argparse.Namespace:
-    return build_parser().parse_args(arguments)
+    parser = build_parser()
+    parsed, rest = parser.parse_known_args(arguments)
+    if any(each == "--key" or each.startswith("--key=") for each in rest):
+        raise UserError("a secret is not taken from the command line, where others can see it: use "
+                        f"--key-file FILE, --ask-key, or the environment variable {VARIABLE}")
+    if rest and hasattr(parsed, "paths") and not any(each.startswith("-") for each in rest):
+        parsed.paths += rest  # files on both sides of an option
+    elif rest:
+        parser.error(f"unrecognized arguments: {' '.join(rest)}")
+    return parsed
 
 
 def build_parser() -> argparse.ArgumentParser:
@@ -208,12 +220,13 @@ def _add_attack(commands) -> None:
                       usage=f"{PROGRAM} attack [options] IN OUT")
     _add_in_and_out(parser, "OUT")
     for name, values, metavar, text in ATTACKS:
-        types = {"subdivide": str, "smooth": int, "low-pass": int, "quantize": int, "isosurface": int}
+        types = {"subdivide": str, "smooth": _integer, "low-pass": _integer, "quantize": _integer,
+                 "isosurface": _integer}
         kwargs = {"metavar": metavar, "type": types.get(name, float)} if values else {}
         nargs = None if values == 1 else values
         parser.add_argument(f"--{name}", dest="steps", action=_InOrder, const=name, nargs=nargs,
                             help=text, **kwargs)
-    parser.add_argument("--seed", type=int, default=0, help="of all that is random (default: 0)")
+    parser.add_argument("--seed", type=_integer, default=0, help="of all that is random (default: 0)")
     _add_common(parser)
 
 
@@ -301,6 +314,8 @@ def _add_secret(parser) -> None:
     secret.add_argument("--key-file", metavar="FILE", help="a file that holds the secret"
                         ).complete = FILE
     secret.add_argument("--ask-key", action="store_true", help="ask for the secret on the terminal")
+    secret.add_argument("--no-key", action="store_true",
+                        help="no secret, also where the environment has one")
 
 
 def _add_rate(parser) -> None:
@@ -335,9 +350,19 @@ def _text(text: str) -> str:
 
 
 def _count(text: str) -> int:
-    if not text.isascii() or not text.isdigit() or int(text) < 1:
+    if not text.isascii() or not text.isdigit() or not 1 <= int(text) < 2**31:
         raise argparse.ArgumentTypeError(f"{text!r} is not a number from 1 on")
     return int(text)
+
+
+def _integer(text: str) -> int:
+    try:
+        value = int(text)
+    except ValueError:
+        value = 2**31
+    if not -(2**31) <= value < 2**31 - 1000:  # the steps of an attack count on from the seed
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number, or too large")
+    return value
 
 
 def _positive(text: str) -> float:

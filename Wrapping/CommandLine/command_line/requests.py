@@ -10,7 +10,7 @@ import os
 from argparse import Namespace
 from pathlib import Path
 
-from .secret import secret_of
+from .secret import encoded, secret_of
 from .terminal import UserError
 
 
@@ -30,21 +30,21 @@ def _embed(arguments: Namespace) -> list[dict]:
                         "spectral-watermark embed --help")
     if not many:
         return [common | _in_and_out(*arguments.paths, arguments.force)]
-    folder = _folder(arguments.output_dir)
-    outputs = [str(folder / Path(path).name) for path in arguments.paths]
+    outputs = [str(Path(arguments.output_dir) / Path(path).name) for path in arguments.paths]
     for output in outputs:
         if outputs.count(output) > 1:
             raise UserError(f"two of the files would become {output}: mark them in two runs")
+    _make_folder(arguments.output_dir)
     for path, output in zip(arguments.paths, outputs):
         _check_different(path, output)
-    return [common | {"input": path, "output": output,
+    return [common | {"input": path, "output": output, "force": arguments.force,
                       "skip": not arguments.force and os.path.exists(output)}
             for path, output in zip(arguments.paths, outputs)]
 
 
 def _detect(arguments: Namespace) -> list[dict]:
     common = _common(arguments) | _scheme(arguments) | {
-        "message": _message(arguments), "text": arguments.text is not None,
+        "message": _message(arguments),
         "read": arguments.read, "rate": arguments.false_positive_rate} | secret_of(arguments)
     if arguments.read and common["message"]:
         raise UserError("--read and a message are both given: read what there is, or look for one")
@@ -118,7 +118,7 @@ def _scheme(arguments: Namespace) -> dict:
 def _message(arguments: Namespace) -> str:
     """The bits that were given, "" where none were."""
     if arguments.text is not None:
-        return "".join(f"{byte:08b}" for byte in arguments.text.encode())
+        return "".join(f"{byte:08b}" for byte in encoded(arguments.text, "the text"))
     return arguments.message or ""
 
 
@@ -126,7 +126,7 @@ def _in_and_out(path: str, output: str, force: bool) -> dict:
     _check_different(path, output)
     if os.path.exists(output) and not os.path.isdir(output) and not force:
         raise UserError(f"{output}: is there already; name another file, or replace it with --force")
-    return {"input": path, "output": output}
+    return {"input": path, "output": output, "force": force}
 
 
 def _check_different(path: str, output: str) -> None:
@@ -134,10 +134,8 @@ def _check_different(path: str, output: str) -> None:
         raise UserError(f"{output}: would replace what is read; name another file")
 
 
-def _folder(name: str) -> Path:
-    folder = Path(name)
+def _make_folder(name: str) -> None:
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        Path(name).mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise UserError(f"{folder}: cannot be made: {error.strerror}") from error
-    return folder
+        raise UserError(f"{name}: cannot be made: {error.strerror}") from error

@@ -15,8 +15,13 @@ VARIABLE = "SPECTRAL_WATERMARK_KEY"
 def secret_of(arguments) -> dict[str, str]:
     """{"key_file": path}, {"key": text}, or {} without a secret. What is asked for by name goes
     before the environment."""
-    if arguments.key_file is not None and arguments.ask_key:
-        raise UserError("--key-file and --ask-key are both given: only one secret can be used")
+    given = [name for name, value in (("--key-file", arguments.key_file is not None),
+                                      ("--ask-key", arguments.ask_key), ("--no-key", arguments.no_key))
+             if value]
+    if len(given) > 1:
+        raise UserError(f"{' and '.join(given)} are given together: only one secret can be used")
+    if arguments.no_key:
+        return {}
     if arguments.key_file is not None:
         return {"key_file": arguments.key_file}
     if arguments.ask_key:
@@ -24,8 +29,17 @@ def secret_of(arguments) -> dict[str, str]:
     if VARIABLE in os.environ:
         if not os.environ[VARIABLE]:
             raise UserError(f"{VARIABLE} is set, but empty: unset it, or put the secret into it")
+        encoded(os.environ[VARIABLE], VARIABLE)
         return {"key": os.environ[VARIABLE]}
     return {}
+
+
+def encoded(text: str, what: str) -> bytes:
+    try:
+        return text.encode()
+    except UnicodeEncodeError:
+        raise UserError(f"{what} is not text in UTF-8: put a secret of any bytes into a file "
+                        "(--key-file)") from None
 
 
 def _ask(twice: bool) -> str:

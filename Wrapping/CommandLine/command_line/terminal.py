@@ -3,10 +3,13 @@
 
 from __future__ import annotations
 
+import ctypes
+import gc
 import json
 import os
 import shutil
 import signal
+import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -39,6 +42,17 @@ def say(request: dict, result: dict, as_json: bool) -> None:
         print("\n".join(lines_of(request, result)), flush=True)
 
 
+def print_any_name() -> None:
+    """File names may be any bytes; what is printed of them is those bytes."""
+    for stream in (sys.stdout, sys.stderr):
+        stream.reconfigure(errors="surrogateescape")
+
+
+def forget_output() -> None:
+    """So that the interpreter does not complain at its end of output that nobody takes."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
 # --- Progress ------------------------------------------------------------------------------------
 
 
@@ -68,15 +82,50 @@ def progress(request: dict) -> Iterator[Callable[[float, str], None]]:
         _bar = None
 
 
-def need_display() -> None:
-    """Starts the program again on a virtual display when there is none."""
-    if os.environ.get("DISPLAY"):
+# --- Something to draw on ------------------------------------------------------------------------
+
+
+@contextmanager
+def display(needed: bool) -> Iterator[None]:
+    """A virtual display when one is needed and there is none."""
+    if not needed or _display_works():
+        yield
         return
-    if not shutil.which("xvfb-run"):
-        raise UserError("the report draws pictures: it needs a display, or the program xvfb-run (Debian: "
-                        "xvfb, xauth and libgl1-mesa-dri)")
-    os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", sys.executable,
-                           *sys.argv])
+    if not shutil.which("Xvfb"):
+        raise UserError("the report draws pictures: it needs a display, or a virtual one (Debian: xvfb and "
+                        "libgl1-mesa-dri)")
+    read, write = os.pipe()
+    with subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x1024x24", "-noreset", "-nolisten",
+             "tcp"], pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+            start_new_session=True) as server:
+        os.close(write)
+        try:
+            with os.fdopen(read) as answer:
+                number = answer.readline().strip()
+            if not number:
+                raise UserError("the virtual display (Xvfb) did not start")
+            os.environ["DISPLAY"] = f":{number}"
+            yield
+        finally:
+            gc.collect()  # VTK's windows, before what they are on
+            server.terminate()
+
+
+def _display_works() -> bool:
+    if not os.environ.get("DISPLAY"):
+        return False
+    try:
+        x11 = ctypes.CDLL("libX11.so.6")
+    except OSError:
+        return False
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    x11.XCloseDisplay.argtypes = [ctypes.c_void_p]
+    connection = x11.XOpenDisplay(None)
+    if not connection:
+        return False
+    x11.XCloseDisplay(connection)
+    return True
 
 
 # --- Being asked to stop -------------------------------------------------------------------------
@@ -93,6 +142,12 @@ def _remember(number: int, _frame) -> None:
     if _stopped_by is not None:  # asked twice: at once
         sys.exit(128 + number)
     _stopped_by = number
+
+
+def end_with_parent() -> None:
+    """Linux sends SIGTERM when the parent dies, however it does."""
+    set_parent_death_signal = 1
+    ctypes.CDLL(None).prctl(set_parent_death_signal, signal.SIGTERM)
 
 
 def stopped() -> bool:

@@ -13,14 +13,16 @@ def _embed(_request: dict, result: dict) -> list[str]:
         return [f"{result['output']}: is there already, skipped"]
     cost = (f"moved by {result['distortion_percent']:.3f} % of the diagonal" if "margin" in result
             else f"{result['iterations']} iterations")
-    return [f"{result['output']}: {result['bits']} bits, {cost}, read back, {result['seconds']:.1f} s"]
+    under = "under the secret" if result["secret"] else "for everyone to read"
+    return [f"{result['output']}: {result['bits']} bits {under}, {cost}, read back, "
+            f"{result['seconds']:.1f} s"]
 
 
 def _detect(request: dict, result: dict) -> list[str]:
     name = result["file"]
+    secret = result["secret"]
     if "p_value" not in result:
-        return [f"{name}: {_what_was_read(request, result)}"]
-    secret = "key" in request or "key_file" in request
+        return [f"{name}: {_what_was_read(request, result)}{' (with the secret)' if secret else ''}"]
     verdict = {(True, True): "mine", (True, False): "not mine", (False, True): "found",
                (False, False): "not found"}[(secret, result["found"])]
     return [f"{name}: {verdict}, p-value {result['p_value']:.2g} "
