@@ -108,8 +108,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether Robust measures GetCapacity(), which takes as long as several embeddings. Default
-   * off.
+   * Set/Get whether Robust measures GetCapacity(). Default off: it takes as long as several embeddings
+   * of as many bits, and those of hundreds of bits take minutes each.
    */
   vtkSetMacro(ReportCapacity, bool);
   vtkGetMacro(ReportCapacity, bool);

@@ -342,7 +342,30 @@ class FaultTest(InFolder):
 
     @staticmethod
     def has_loaded_vtk(pid):
-        return "vtkIOPLY" in Path(f"/proc/{pid}/maps").read_text()
+        """The process that works, a child of the one that was started."""
+        for folder in Path("/proc").glob("[0-9]*"):
+            try:
+                if int((folder / "stat").read_text().rsplit(")", 1)[1].split()[1]) == pid:
+                    return "vtkIOPLY" in (folder / "maps").read_text()
+            except (OSError, ValueError):  # it ended meanwhile
+                pass
+        return False
+
+    def test_asked_twice_it_ends_at_once(self):
+        """Also in a filter that would not report progress for minutes."""
+        with subprocess.Popen([sys.executable, PROGRAM, "info", "model.ply", "--capacity"],
+                              stderr=subprocess.PIPE, text=True) as process:
+            end = time.monotonic() + 60
+            while not self.has_loaded_vtk(process.pid):
+                self.assertLess(time.monotonic(), end)
+                time.sleep(0.01)
+            time.sleep(3)  # in the filter by now
+            process.send_signal(signal.SIGINT)
+            time.sleep(0.5)
+            process.send_signal(signal.SIGINT)
+            _, said = process.communicate(timeout=10)
+        self.assertEqual(process.returncode, ERROR)
+        self.assertIn("stopped", said)
 
     def test_a_signal_in_the_filter_leaves_no_file(self):
         before = set(self.folder.iterdir())

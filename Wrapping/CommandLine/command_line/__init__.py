@@ -58,11 +58,15 @@ def _run(typed: list[str]) -> int:
 
         return run_all(requests, arguments.jobs, arguments.json)
     with terminal.display(arguments.command == "report"):
-        from .commands import run
+        return terminal.in_child(requests[0], lambda: _run_one(requests[0], arguments.json), ERROR)
 
-        with terminal.progress(requests[0]) as show:
-            result = run(requests[0], show)
-    terminal.say(requests[0], result, arguments.json)
+
+def _run_one(request: dict, as_json: bool) -> int:
+    from .commands import run
+
+    with terminal.progress(request) as show:
+        result = run(request, show)
+    terminal.say(request, result, as_json)
     return code_of(result)
 
 

@@ -13,6 +13,7 @@ from concurrent.futures import Future, ThreadPoolExecutor, wait
 from . import code_of, terminal
 
 _running: set[subprocess.Popen] = set()
+_told: set[subprocess.Popen] = set()  # to stop
 
 
 def run_all(requests: list[dict], jobs: int, as_json: bool) -> int:
@@ -24,6 +25,8 @@ def run_all(requests: list[dict], jobs: int, as_json: bool) -> int:
             while len(results) < len(futures):
                 if terminal.stopped():
                     _stop(futures)
+                if terminal.stopped_twice():
+                    _kill()
                 wait(futures[len(results):len(results) + 1], timeout=0.2)
                 while len(results) < len(futures) and futures[len(results)].done():
                     request = requests[len(results)]
@@ -51,8 +54,14 @@ def _stopped(request: dict) -> dict:
 def _stop(futures: list[Future]) -> None:
     for future in futures:
         future.cancel()
-    while _running:  # each is told once: told twice, it would end at once
-        _running.pop().terminate()
+    for process in _running - _told:
+        process.terminate()
+        _told.add(process)
+
+
+def _kill() -> None:
+    for process in list(_running):
+        process.kill()
 
 
 def _run_one(request: dict) -> dict:

@@ -256,7 +256,8 @@ def _add_info(commands) -> None:
     _add_paths(parser, "PLY, OBJ, STL, VTP or OFF")
     _add_many(parser)
     parser.add_argument("--capacity", action="store_true",
-                        help="measure how many bits it can hold: takes as long as some embeddings")
+                        help="measure how many bits it can hold, up to 1024: the more they are, the longer it "
+                             "takes (many minutes where hundreds fit; lower --distortion to see sooner)")
     parser.add_argument("--distortion", type=_positive, default=0.07, metavar="PERCENT",
                         help="for --capacity (default: %(default)s)")
     _add_common(parser)

@@ -16,7 +16,8 @@ from contextlib import contextmanager
 
 PROGRAM = "spectral-watermark"
 
-_stopped_by: int | None = None
+_times_stopped = 0
+_child: int | None = None  # the process that works
 _bar = None  # the progress bar that is on the terminal
 
 
@@ -108,7 +109,6 @@ def display(needed: bool) -> Iterator[None]:
             os.environ["DISPLAY"] = f":{number}"
             yield
         finally:
-            gc.collect()  # VTK's windows, before what they are on
             server.terminate()
 
 
@@ -132,16 +132,56 @@ def _display_works() -> bool:
 
 
 def catch_signals(numbers: tuple[int, ...]) -> None:
-    """From now on these are remembered, and the filter that runs is asked to stop."""
+    """From now on these are remembered: stopped() tells. A filter runs on until it reports progress, and no
+    Python code before."""
     for number in numbers:
         signal.signal(number, _remember)
 
 
-def _remember(number: int, _frame) -> None:
-    global _stopped_by
-    if _stopped_by is not None:  # asked twice: at once
-        sys.exit(128 + number)
-    _stopped_by = number
+def _remember(_number: int, _frame) -> None:
+    global _times_stopped
+    _times_stopped += 1
+    if _child is not None:  # asked twice: at once
+        os.kill(_child, signal.SIGTERM if _times_stopped == 1 else signal.SIGKILL)
+
+
+def in_child(request: dict, work: Callable[[], int], error: int) -> int:
+    """work()'s code, of a process of its own: this one can then be stopped whatever a filter does, and a
+    reader that crashes on a damaged file takes nothing down."""
+    global _child
+    sys.stdout.flush()
+    pid = os.fork()
+    if pid == 0:
+        _end(work)
+    _child = pid
+    if _times_stopped:
+        os.kill(pid, signal.SIGTERM)
+    _, status = os.waitpid(pid, 0)
+    _child = None
+    code = os.waitstatus_to_exitcode(status)
+    if code < 0:
+        say_error(f"{request['input']}: not done: stopped" if _times_stopped else
+                  f"{request['input']}: the process that read it ended with {code}; is the file damaged?")
+        return error
+    return code
+
+
+def _end(work: Callable[[], int]) -> None:
+    """The child's way: what a terminal sends to both is the parent's to answer."""
+    for number in (signal.SIGINT, signal.SIGHUP):
+        signal.signal(number, signal.SIG_IGN)
+    end_with_parent()
+    code = 2
+    try:
+        code = work()
+        sys.stdout.flush()
+    except BrokenPipeError:
+        pass
+    except BaseException as error:  # noqa: BLE001 - a traceback would end with the code of "not found"
+        say_error(f"{type(error).__name__}: {error}; please report this")
+    finally:
+        gc.collect()  # VTK's windows, before what they are on
+        os._exit(code)
 
 
 def end_with_parent() -> None:
@@ -151,4 +191,8 @@ def end_with_parent() -> None:
 
 
 def stopped() -> bool:
-    return _stopped_by is not None
+    return _times_stopped > 0
+
+
+def stopped_twice() -> bool:
+    return _times_stopped > 1
