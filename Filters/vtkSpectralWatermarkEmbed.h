@@ -109,7 +109,7 @@ public:
   ///@{
   /**
    * Set/Get whether Robust measures GetCapacity(). Default off: it takes as long as several embeddings
-   * of as many bits, and those of hundreds of bits take minutes each.
+   * of as many bits, and those of hundreds of bits take a minute each.
    */
   vtkSetMacro(ReportCapacity, bool);
   vtkGetMacro(ReportCapacity, bool);
@@ -144,8 +144,8 @@ public:
   vtkGetMacro(Margin, double);
 
   /**
-   * Get how many bits the longest message has that Robust would embed in this mesh within
-   * MaximumDistortion, at most 1024; 0 unless ReportCapacity is on, and for PaperSlots. The longer a
+   * Get how many bits Robust would embed in this mesh within MaximumDistortion, whatever the message,
+   * at most 1024 (a few more may fit); 0 unless ReportCapacity is on, and for PaperSlots. The longer a
    * message, the less it survives.
    */
   vtkGetMacro(Capacity, int);

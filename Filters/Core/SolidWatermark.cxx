@@ -4,6 +4,7 @@
 #include "Distortion.h"
 #include "Errors.h"
 #include "GolayCode.h"
+#include "Parallel.h"
 #include "SlotWatermark.h"
 #include "Solid.h"
 #include "SolidReader.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <iomanip>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -44,6 +46,10 @@ constexpr double StepRatio = 1.0905077326652577; // 2^(1/8)
 // Of a carrier, in steps: embedded well enough.
 constexpr double GoodError = 0.005;
 constexpr int MostRounds = 12;
+
+// Rounds reuse the response of the original mesh, which is most of the work, as long as each leaves
+// no more of the error than this.
+constexpr double SlowRound = 0.2;
 constexpr int MostAttempts = 4;
 
 // Parts of the budget that the plan may use: what is measured differs a little.
@@ -151,12 +157,30 @@ struct View
   TriangleMesh Mesh; // in the frame
 };
 
+// The lower triangle of patterns^T diag(weights) patterns; what is above it is not set.
+MatrixXd LowerGram(const VectorXd& weights, const MatrixXd& patterns, int threads)
+{
+  constexpr Index columns = 32; // of a task: the sums are the same on any number of threads
+  const Index size = patterns.cols();
+  MatrixXd gram(size, size);
+  ForEachTask(threads, (size + columns - 1) / columns,
+    [&](Index task)
+    {
+      const Index first = task * columns;
+      const Index count = std::min(columns, size - first);
+      gram.block(first, first, size - first, count).noalias() =
+        patterns.rightCols(size - first).transpose() *
+        (weights.asDiagonal() * patterns.middleCols(first, count)).eval();
+    });
+  return gram;
+}
+
 // Displacements along the normals that change the carriers, to first order, by what is asked for and
 // the moments not at all: the smallest ones in mean square over the surface.
 class Response
 {
 public:
-  Response(const View& view, const Carriers& carriers)
+  Response(const View& view, const Carriers& carriers, int threads)
     : Areas(VertexAreas(view.Mesh))
     , Patterns(view.Mesh.NumberOfVertices(), carriers.Count() + Moments)
   {
@@ -165,15 +189,14 @@ public:
     this->Patterns.leftCols(waves) = phases.array().cos();
     this->Patterns.middleCols(waves, waves) = phases.array().sin();
     this->Patterns.rightCols<Moments>() = FixedMoments(view.Mesh.Points);
-    const MatrixXd gram = this->Patterns.transpose() * this->Areas.asDiagonal() * this->Patterns;
-    const Eigen::LDLT<MatrixXd> factors(gram);
+    const Eigen::LDLT<MatrixXd> factors(LowerGram(this->Areas, this->Patterns, threads));
     const VectorXd pivots = factors.vectorD();
     if (!(pivots.minCoeff() > SmallestPivot * pivots.maxCoeff()))
     {
       throw InvalidInput("the mesh is too small or too simple for so many bits: " +
         std::to_string(carriers.Count()) + " waves cannot be told apart on it. Embed fewer bits");
     }
-    this->Inverse = factors.solve(MatrixXd::Identity(gram.rows(), gram.cols()));
+    this->Inverse = factors.solve(MatrixXd::Identity(this->Patterns.cols(), this->Patterns.cols()));
     this->Inverse = (0.5 * (this->Inverse + this->Inverse.transpose())).eval();
   }
 
@@ -254,77 +277,20 @@ TriangleMesh::PointMatrix Stored(const TriangleMesh::PointMatrix& points, bool a
   return asFloat ? TriangleMesh::PointMatrix(points.cast<float>().cast<double>()) : points;
 }
 
-// Moves the points until the carriers are at their targets.
-class Embedding
-{
-public:
-  Embedding(const TriangleMesh& oriented, const Carriers& carriers, int threads)
-    : Original(oriented)
-    , Carrier(carriers)
-    , Threads(threads)
-    , Diagonal(BoundingBoxDiagonal(oriented.Points))
-  {
-  }
-
-  SolidEmbeddingResult Run(const Plan& plan, const SolidEmbeddingOptions& options,
-    const Progress& progress) const;
-
-private:
-  const TriangleMesh& Original;
-  const Carriers& Carrier;
-  int Threads;
-  double Diagonal;
-};
-
-SolidEmbeddingResult Embedding::Run(const Plan& plan, const SolidEmbeddingOptions& options,
-  const Progress& progress) const
-{
-  SolidEmbeddingResult result;
-  result.Step = StepOfNumber(plan.Step);
-  TriangleMesh mesh = this->Original;
-  double lastError = std::numeric_limits<double>::infinity();
-  for (int round = 0; round <= MostRounds; ++round)
-  {
-    const View view(mesh);
-    const VectorXd changes =
-      plan.Targets - SolidSpectrum(view.Mesh, this->Carrier.Waves, this->Threads);
-    const double error = changes.cwiseAbs().maxCoeff() / result.Step;
-    result.Rounds.push_back(
-      { RootMeanSquare(this->Original, mesh.Points) / this->Diagonal, error });
-    progress.Report(static_cast<double>(round + 1) / (MostRounds + 1));
-    const bool diverges = !(error <= lastError);
-    if (error < GoodError || diverges || round == MostRounds)
-    {
-      break;
-    }
-    lastError = error;
-    const VectorXd heights = Response(view, this->Carrier).Displacements(changes);
-    mesh.Points += view.Frame.DifferencesFromFrame(heights.asDiagonal() * VertexNormals(view.Mesh));
-  }
-  result.Points = Stored(mesh.Points, options.RoundToFloat);
-  mesh.Points = result.Points;
-  result.Distortion = RootMeanSquare(this->Original, result.Points) / this->Diagonal;
-  const double worst =
-    (SolidSpectrum(View(mesh).Mesh, this->Carrier.Waves, this->Threads) - plan.Targets)
-      .cwiseAbs()
-      .maxCoeff() /
-    result.Step;
-  result.Margin = std::max(0.0, 1.0 - 4.0 * worst);
-  return result;
-}
-
 // What the plans of an embedding are made from.
 struct Payload
 {
   Payload(const View& view, const SecretKey& key, Index bits, int threads)
     : Carrier(CarriersOf(key, bits))
     , Values(SolidSpectrum(view.Mesh, this->Carrier.Waves, threads))
-    , Cost(Response(view, this->Carrier).Cost(this->Carrier.Count()))
+    , Responding(view, this->Carrier, threads)
+    , Cost(this->Responding.Cost(this->Carrier.Count()))
   {
   }
 
   Carriers Carrier;
   VectorXd Values;
+  Response Responding;
   MatrixXd Cost;
 };
 
@@ -342,6 +308,73 @@ Plan LargestAffordable(const Payload& payload, const std::string& code, double b
   }
   plan.Step = -1;
   return plan;
+}
+
+// Moves the points until the carriers are at their targets.
+class Embedding
+{
+public:
+  Embedding(const TriangleMesh& oriented, const Payload& payload, int threads)
+    : Original(oriented)
+    , Content(payload)
+    , Threads(threads)
+    , Diagonal(BoundingBoxDiagonal(oriented.Points))
+  {
+  }
+
+  SolidEmbeddingResult Run(const Plan& plan, const SolidEmbeddingOptions& options,
+    const Progress& progress) const;
+
+private:
+  VectorXd Spectrum(const View& view) const
+  {
+    return SolidSpectrum(view.Mesh, this->Content.Carrier.Waves, this->Threads);
+  }
+
+  const TriangleMesh& Original;
+  const Payload& Content;
+  int Threads;
+  double Diagonal;
+};
+
+SolidEmbeddingResult Embedding::Run(const Plan& plan, const SolidEmbeddingOptions& options,
+  const Progress& progress) const
+{
+  SolidEmbeddingResult result;
+  result.Step = StepOfNumber(plan.Step);
+  TriangleMesh mesh = this->Original;
+  std::optional<Response> fresh; // where the mesh is by now, once the original's serves no more
+  double lastError = std::numeric_limits<double>::infinity();
+  for (int round = 0; round <= MostRounds; ++round)
+  {
+    const View view(mesh);
+    const VectorXd changes = plan.Targets - this->Spectrum(view);
+    const double error = changes.cwiseAbs().maxCoeff() / result.Step;
+    result.Rounds.push_back(
+      { RootMeanSquare(this->Original, mesh.Points) / this->Diagonal, error });
+    progress.Report(static_cast<double>(round + 1) / (MostRounds + 1));
+    const bool diverges = !(error <= lastError);
+    if (error < GoodError || diverges || round == MostRounds)
+    {
+      break;
+    }
+    if (round > 0 && error > SlowRound * lastError)
+    {
+      fresh.reset(); // large: not two of them
+      fresh.emplace(view, this->Content.Carrier, this->Threads);
+    }
+    lastError = error;
+    const Response& response = fresh ? *fresh : this->Content.Responding;
+    const VectorXd heights = response.Displacements(changes);
+    mesh.Points += view.Frame.DifferencesFromFrame(heights.asDiagonal() * VertexNormals(view.Mesh));
+  }
+  result.Points = Stored(mesh.Points, options.RoundToFloat);
+  mesh.Points = result.Points;
+  result.Distortion = RootMeanSquare(this->Original, result.Points) / this->Diagonal;
+  const double worst =
+    (this->Spectrum(View(mesh)) - plan.Targets).cwiseAbs().maxCoeff() / result.Step;
+  result.Margin = std::max(0.0, 1.0 - 4.0 * worst);
+  return result;
 }
 
 // Of a message with its check, that fills so many words of the code; 0 when the check alone does.
@@ -364,21 +397,24 @@ public:
   {
   }
 
-  // The most words that fit, under `tooMany`.
+  // The most words that fit, under `tooMany`. Each look takes longer than all that ask for less:
+  // twice as many every time, and halves only from where it was too many.
   Index MostWords(Index tooMany, const Progress& progress) const
   {
     Index most = BlocksOf(1) - 1;
-    for (int looks = 0; tooMany - most > 1; ++looks)
+    double begin = 0.0;
+    while (tooMany - most > 1)
     {
-      const Index words = (most + tooMany) / 2;
-      (this->Fits(words) ? most : tooMany) = words;
-      progress.Report(1.0 - std::pow(0.5, looks + 1));
+      const Index words = std::min(2 * most, (most + tooMany) / 2);
+      const double end = begin + (1.0 - begin) / 4.0; // how many looks there will be is open
+      (this->Fits(words, progress.Part(begin, end)) ? most : tooMany) = words;
+      begin = end;
     }
     return most;
   }
 
 private:
-  bool Fits(Index words) const
+  bool Fits(Index words, const Progress& progress) const
   {
     const Index carriers = words * GolayCodeBits;
     if (carriers + Moments >= this->Mesh.NumberOfVertices())
@@ -388,12 +424,13 @@ private:
     try
     {
       const Payload payload(this->Seen, this->Key, MessageBitsOf(words), this->Threads);
+      progress.Report(0.3);
       const std::string code(static_cast<std::size_t>(carriers), '0'); // as good as any, whitened
       const Plan plan = PlanWithStep(0, payload.Values, code, payload.Carrier, payload.Cost);
       const double scale = this->Seen.Frame.Scale / BoundingBoxDiagonal(this->Mesh.Points);
       return plan.Distortion * scale <= this->MaximumDistortion &&
-        Embedding(this->Mesh, payload.Carrier, this->Threads)
-          .Run(plan, SolidEmbeddingOptions(), Progress())
+        Embedding(this->Mesh, payload, this->Threads)
+          .Run(plan, SolidEmbeddingOptions(), progress.Part(0.3, 1.0))
           .Distortion <= SafePart * this->MaximumDistortion;
     }
     catch (const InvalidInput&)
@@ -486,7 +523,7 @@ SolidEmbeddingResult EmbedInSolid(const TriangleMesh& mesh, const SecretKey& key
   const View view(oriented);
   const Payload payload(view, key, bits, options.Threads);
   const std::string code = CodeOf(DataOf(options.Message, key, payload.Carrier));
-  const Embedding embedding(oriented, payload.Carrier, options.Threads);
+  const Embedding embedding(oriented, payload, options.Threads);
   progress.Report(0.1);
 
   const double scale = view.Frame.Scale / BoundingBoxDiagonal(oriented.Points);

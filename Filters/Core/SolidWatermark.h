@@ -84,9 +84,9 @@ struct SolidEmbeddingResult
 SolidEmbeddingResult EmbedInSolid(const TriangleMesh& mesh, const SecretKey& key,
   const SolidEmbeddingOptions& options, const Progress& progress);
 
-/// How many bits the longest message has that EmbedInSolid() does not refuse, up to LargestMessage; 0
-/// when none fits. Such a message is embedded with the smallest step and survives little. Takes as long
-/// as several embeddings, of up to that many bits.
+/// How many bits EmbedInSolid() takes at least, up to LargestMessage; 0 when a message may not fit at
+/// all. Some are left for what a message costs more or less than another. So many are embedded with the
+/// smallest step and survive little. Takes as long as several embeddings, of up to that many bits.
 Index CapacityOf(const TriangleMesh& mesh, const SecretKey& key, double maximumDistortion,
   int threads, const Progress& progress);
 

@@ -363,15 +363,19 @@ TEST(SolidWatermark, ProgressRisesAndAbortStops)
   SolidEmbeddingOptions options;
   options.Message = "10110";
   double last = 0.0;
-  EmbedInSolid(mesh, key, options,
-    Progress(
-      [&last](double fraction)
-      {
-        EXPECT_GE(fraction, last);
-        last = fraction;
-        return true;
-      }));
+  const Progress rising(
+    [&last](double fraction)
+    {
+      EXPECT_GE(fraction, last);
+      last = fraction;
+      return true;
+    });
+  EmbedInSolid(mesh, key, options, rising);
   EXPECT_EQ(last, 1.0);
-  EXPECT_THROW(EmbedInSolid(mesh, key, options, Progress([](double f) { return f < 0.6; })),
-    Aborted);
+  last = 0.0;
+  CapacityOf(mesh, key, options.MaximumDistortion, 2, rising);
+  EXPECT_EQ(last, 1.0);
+  const Progress stopping([](double fraction) { return fraction < 0.6; });
+  EXPECT_THROW(EmbedInSolid(mesh, key, options, stopping), Aborted);
+  EXPECT_THROW(CapacityOf(mesh, key, options.MaximumDistortion, 2, stopping), Aborted);
 }

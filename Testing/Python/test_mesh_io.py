@@ -434,6 +434,30 @@ class ReadingTest(InFolder):
             with self.subTest(name):
                 self.assert_square(read_mesh(self.file("mesh.ply", data)))
 
+    def test_ply_lists_of_one_length_and_of_several(self):
+        def binary(faces, extra):
+            """A list of weights, a byte, the corners, for each face."""
+            body = struct.pack("<12f", *np.ravel(SQUARE_POINTS)) + b"".join(
+                struct.pack(f"<H{len(weights)}dBB{len(face)}i", len(weights), *weights, 7, len(face), *face)
+                for face, weights in zip(faces, extra))
+            of_faces = ("list ushort double weights", "uchar flags", "list uchar int vertex_indices")
+            return ply(b"", body, of_faces=of_faces, numbers=(4, len(faces)),
+                       form="binary_little_endian")
+
+        one, two = SQUARE_FACES
+        for faces, extra in (
+                ([one, two, one], ((1, 2), (3, 4), (5, 6))),
+                ([one, two, one], ((1, 2), (3, 4), (5,))),
+                ([one, two, one], ((1, 2), (), (5, 6, 7))),
+                ([one, two, [0, 1, 2, 3]], ((1, 2), (3, 4), (5, 6))),
+                ([[0, 1, 2, 3]] * 3, ((), (), ()))):
+            with self.subTest(faces=faces, extra=extra):
+                self.assertEqual(faces_of(read_mesh(self.file("mesh.ply", binary(faces, extra)))), faces)
+        for faces in ([one, two, [0, 1, 4]], [one, two, [0, 1, 2, -1]]):
+            with self.subTest(faces=faces):
+                self.assert_refused(read_mesh, self.file("mesh.ply", binary(faces, ((),) * 3)),
+                                    f"names point {faces[-1][-1]}")
+
     def test_ply_texture_coordinates_of_other_names(self):
         rows = b"0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n0 1 0.5 0 1\n"
         for names in ("uv", "st", ("texture_u", "texture_v")):

@@ -442,6 +442,21 @@ def _ply_binary_parts(data: bytes, position: int, elements: list[_PlyElement], o
 def _check_ply_lists(element: _PlyElement, data: bytes, position: int, order: str,
                      points: int) -> int:
     """Where the records of an element with lists end; their corners are checked."""
+    found = (_places_of_equal_lists(element, data, position, order)
+             or _places_of_lists(element, data, position, order))
+    starts, lengths, end = found
+    if lengths.max(initial=0) > _PLY_CORNERS:
+        raise MeshFileError(f"a face has {lengths.max()} corners, and VTK reads no more than "
+                            f"{_PLY_CORNERS} from PLY; triangulate it, or use another format")
+    if end <= len(data):
+        for item in filter(_is_corner_list, element.properties):
+            _check_ply_corners(data, starts, lengths, np.dtype(order + _PLY_TYPES[item.type]), points)
+    return end
+
+
+def _places_of_lists(element: _PlyElement, data: bytes, position: int, order: str
+                     ) -> tuple[np.ndarray, np.ndarray, int]:
+    """Where the corners of each record are, how many, and where the records end."""
     steps = []
     for item in element.properties:
         count = np.dtype(_PLY_TYPES[item.count_type or "char"])
@@ -465,14 +480,32 @@ def _check_ply_lists(element: _PlyElement, data: bytes, position: int, order: st
                 position += size * length
     except struct.error:
         raise MeshFileError(_CUT_OFF) from None
-    if lengths and max(lengths) > _PLY_CORNERS:
-        raise MeshFileError(f"a face has {max(lengths)} corners, and VTK reads no more than "
-                            f"{_PLY_CORNERS} from PLY; triangulate it, or use another format")
-    if position <= len(data):
-        for item in filter(_is_corner_list, element.properties):
-            _check_ply_corners(data, np.array(starts), np.array(lengths),
-                               np.dtype(order + _PLY_TYPES[item.type]), points)
-    return position
+    return np.array(starts, int), np.array(lengths, int), position
+
+
+def _places_of_equal_lists(element: _PlyElement, data: bytes, position: int, order: str
+                           ) -> tuple[np.ndarray, np.ndarray, int] | None:
+    """The same at once, where all lists are as long as the first record's: a mesh of triangles."""
+    first = _PlyElement(element.name, min(1, element.count), element.properties)
+    starts, lengths, end = _places_of_lists(first, data, position, order)
+    size = end - position
+    if not size or position + element.count * size > len(data):
+        return None
+    records = np.frombuffer(data, np.uint8, element.count * size, position).reshape(-1, size)
+    at = 0
+    for item in element.properties:
+        length = 1
+        if item.count_type:
+            kind = np.dtype(order + _PLY_TYPES[item.count_type])
+            counts = np.ascontiguousarray(records[:, at:at + kind.itemsize]).view(kind)
+            length = int(counts[0, 0])
+            if (counts != length).any():
+                return None
+            at += kind.itemsize
+        at += length * int(_PLY_TYPES[item.type][1])
+    steps = size * np.arange(element.count)
+    return (starts + steps if starts.size else starts, np.repeat(lengths, element.count),
+            position + element.count * size)
 
 
 def _check_ply_corners(data: bytes, starts: np.ndarray, lengths: np.ndarray, kind: np.dtype,
