@@ -91,7 +91,7 @@ class StoryTest(InFolder):
         self.assertEqual(run("detect", "marked.stl", "--text", "(c) e!").returncode, NOT_FOUND)
         unmarked = run("detect", "model.ply", "--bits", bits)
         self.assertEqual(unmarked.returncode, NOT_FOUND)
-        self.assertIn("no mark found", unmarked.stdout)
+        self.assertIn("no mark found without a secret", unmarked.stdout)
 
     def test_message_under_a_key_can_be_read(self):
         self.succeed("embed", "model.ply", "marked.vtp", "--key-file", "my.key", "--message", "110010111")

@@ -33,7 +33,8 @@ def _what_was_read(request: dict, result: dict) -> str:
     if request["scheme"] == "paper":
         return f"reads {result['read']}; the paper's bits have no check: give --message for a p-value"
     if not result["valid"]:
-        return "no mark found: what was read fails its own check"
+        without = "" if result["secret"] else " without a secret"
+        return f"no mark found{without}: what was read fails its own check"
     return f"reads {result['read']}" + (f", text: {result['text']}" if "text" in result else "")
 
 
