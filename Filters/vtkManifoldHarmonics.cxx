@@ -62,6 +62,7 @@ int vtkManifoldHarmonics::RequestData(vtkInformation*, vtkInformationVector** in
     {
       vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
       vtkPolyData* output = vtkPolyData::GetData(outputs);
+      sw::CheckFinite("Tolerance", this->Tolerance);
       const sw::PolyDataMesh mesh = sw::ToMesh(input);
 
       sw::HarmonicsOptions options;

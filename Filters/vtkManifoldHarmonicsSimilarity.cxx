@@ -79,6 +79,7 @@ int vtkManifoldHarmonicsSimilarity::RequestData(vtkInformation*, vtkInformationV
     {
       vtkPolyData* referenceInput = vtkPolyData::GetData(inputs[0]);
       vtkPolyData* otherInput = vtkPolyData::GetData(inputs[1]);
+      sw::CheckFinite("ClusterTolerance", this->ClusterTolerance);
       const sw::PolyDataMesh reference = sw::ToMesh(referenceInput);
       const sw::PolyDataMesh other = sw::ToMesh(otherInput);
       const sw::Progress progress = sw::ProgressOf(this);

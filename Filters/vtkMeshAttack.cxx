@@ -35,19 +35,11 @@ vtkMeshAttack::~vtkMeshAttack() = default;
 namespace
 {
 
-void CheckFinite(const char* name, double value)
-{
-  if (!std::isfinite(value))
-  {
-    throw sw::InvalidInput(std::string(name) + " must be finite");
-  }
-}
-
 void CheckScaleFactors(const double* factors)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    CheckFinite("AxisScaleFactors", factors[axis]);
+    sw::CheckFinite("AxisScaleFactors", factors[axis]);
     if (factors[axis] == 0.0)
     {
       throw sw::InvalidInput("AxisScaleFactors has a 0, which flattens the mesh: give each axis "
@@ -84,8 +76,8 @@ void Rotate(vtkTransform* transform, vtkMeshAttack* attack)
 {
   const double* axis = attack->GetRotationAxis();
   const double length = std::hypot(axis[0], axis[1], axis[2]);
-  CheckFinite("RotationAxis", length);
-  CheckFinite("RotationAngle", attack->GetRotationAngle());
+  sw::CheckFinite("RotationAxis", length);
+  sw::CheckFinite("RotationAngle", attack->GetRotationAngle());
   if (length == 0.0)
   {
     throw sw::InvalidInput("RotationAxis has length 0: give it a direction");
@@ -116,6 +108,7 @@ sw::TriangleMesh Remeshed(const sw::TriangleMesh& mesh, vtkMeshAttack* attack)
   {
     case vtkMeshAttack::Uniform:
     {
+      sw::CheckFinite("RemeshingPercent", attack->GetRemeshingPercent());
       const double vertices = static_cast<double>(mesh.NumberOfVertices());
       const auto count = static_cast<sw::Index>(vertices * attack->GetRemeshingPercent() / 100.0);
       return sw::ResampleUniformly(mesh, std::max<sw::Index>(4, count), attack);
@@ -207,7 +200,7 @@ void vtkMeshAttack::Transform(vtkPolyData* input, vtkPolyData* output)
       Rotate(transform, this);
       break;
     case UniformScaling:
-      CheckFinite("ScaleFactor", this->ScaleFactor);
+      sw::CheckFinite("ScaleFactor", this->ScaleFactor);
       transform->Scale(this->ScaleFactor, this->ScaleFactor, this->ScaleFactor);
       break;
     case NonUniformScaling:
@@ -216,7 +209,7 @@ void vtkMeshAttack::Transform(vtkPolyData* input, vtkPolyData* output)
       break;
     case Translation:
       std::for_each_n(this->TranslationVector, 3,
-        [](double component) { CheckFinite("TranslationVector", component); });
+        [](double component) { sw::CheckFinite("TranslationVector", component); });
       transform->Translate(this->TranslationVector);
       break;
     default:
@@ -228,14 +221,16 @@ void vtkMeshAttack::Transform(vtkPolyData* input, vtkPolyData* output)
   move->SetTransform(transform);
   move->SetOutputPointsPrecision(this->OutputPointsPrecision);
   sw::UpdateInside(move, this, 0.1, 1.0);
+  sw::CheckStorable(sw::PointsOf(move->GetOutput(), mesh.PointOfVertex),
+    sw::StoresFloat(input, this->OutputPointsPrecision));
   output->ShallowCopy(move->GetOutput());
 }
 
 void vtkMeshAttack::MovePoints(vtkPolyData* input, vtkPolyData* output)
 {
-  CheckFinite("NoiseFactor", this->NoiseFactor);
-  CheckFinite("NoisePercent", this->NoisePercent);
-  CheckFinite("SmoothingFactor", this->SmoothingFactor);
+  sw::CheckFinite("NoiseFactor", this->NoiseFactor);
+  sw::CheckFinite("NoisePercent", this->NoisePercent);
+  sw::CheckFinite("SmoothingFactor", this->SmoothingFactor);
   const sw::PolyDataMesh mesh = sw::ToMesh(input);
   const sw::Progress progress = sw::ProgressOf(this);
   const auto seed = static_cast<std::uint64_t>(this->Seed);
@@ -263,7 +258,7 @@ void vtkMeshAttack::MovePoints(vtkPolyData* input, vtkPolyData* output)
 
 void vtkMeshAttack::Smooth(vtkPolyData* input, vtkPolyData* output)
 {
-  CheckFinite("SmoothingGain", this->SmoothingGain);
+  sw::CheckFinite("SmoothingGain", this->SmoothingGain);
   const sw::PolyDataMesh mesh = sw::ToMesh(input);
   const sw::ManifoldHarmonics harmonics = sw::FindOrComputeHarmonics(input, mesh,
     this->NumberOfHarmonics, sw::ProgressOf(this), this->NumberOfEigensolves);
@@ -278,6 +273,7 @@ void vtkMeshAttack::Smooth(vtkPolyData* input, vtkPolyData* output)
 
 void vtkMeshAttack::Simplify(vtkPolyData* input, vtkPolyData* output)
 {
+  sw::CheckFinite("SimplificationPercent", this->SimplificationPercent);
   // The merged mesh, so that seams do not tear.
   const sw::PolyDataMesh mesh = sw::ToMesh(input);
   const bool storesFloat = sw::StoresFloat(input, this->OutputPointsPrecision);
@@ -312,6 +308,7 @@ void vtkMeshAttack::Shuffle(vtkPolyData* input, vtkPolyData* output)
 
 void vtkMeshAttack::Crop(vtkPolyData* input, vtkPolyData* output)
 {
+  sw::CheckFinite("CroppingPercent", this->CroppingPercent);
   sw::ToMesh(input); // for its checks
   sw::ProgressOf(this).Report(0.3);
   const auto seed = static_cast<std::uint64_t>(this->Seed);
@@ -323,7 +320,9 @@ void vtkMeshAttack::Crop(vtkPolyData* input, vtkPolyData* output)
   {
     Eigen::Vector3d point;
     input->GetPoint(i, point.data());
-    heights.emplace_back(direction.dot(point), i);
+    // Points of no polygon may be anything; nothing is sorted by what is not a number.
+    const double height = direction.dot(point);
+    heights.emplace_back(std::isnan(height) ? 0.0 : height, i);
   }
   std::sort(heights.begin(), heights.end());
   const auto kept = static_cast<std::size_t>(

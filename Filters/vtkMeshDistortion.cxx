@@ -97,12 +97,8 @@ struct vtkMeshDistortion::Surfaces
 int vtkMeshDistortion::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  for (double* figure :
-    { &this->GeomDiff, &this->CurvDiff, &this->MRMS, &this->Hausdorff, &this->MSDM, &this->MSDM2 })
-  {
-    *figure = NotMeasured;
-  }
-  return sw::RunFilter(this, this->ErrorCode, outputs,
+  this->ForgetFigures();
+  const int ran = sw::RunFilter(this, this->ErrorCode, outputs,
     [&]()
     {
       vtkPolyData* reference = vtkPolyData::GetData(inputs[0]);
@@ -113,6 +109,11 @@ int vtkMeshDistortion::RequestData(vtkInformation*, vtkInformationVector** input
       if (correspond)
       {
         this->ComparePoints(reference, distorted, output);
+      }
+      else
+      {
+        sw::ToMesh(reference); // for its checks
+        sw::ToMesh(distorted);
       }
       sw::ProgressOf(this).Report(0.1);
       if (this->ComputeSurfaceDistances || this->ComputePerceptualDistances)
@@ -135,6 +136,20 @@ int vtkMeshDistortion::RequestData(vtkInformation*, vtkInformationVector** input
         { { "GeomDiff", this->GeomDiff }, { "CurvDiff", this->CurvDiff }, { "MRMS", this->MRMS },
           { "Hausdorff", this->Hausdorff }, { "MSDM", this->MSDM }, { "MSDM2", this->MSDM2 } });
     });
+  if (ran == 0 || this->GetAbortExecute())
+  {
+    this->ForgetFigures(); // what was measured before that
+  }
+  return ran;
+}
+
+void vtkMeshDistortion::ForgetFigures()
+{
+  for (double* figure :
+    { &this->GeomDiff, &this->CurvDiff, &this->MRMS, &this->Hausdorff, &this->MSDM, &this->MSDM2 })
+  {
+    *figure = NotMeasured;
+  }
 }
 
 void vtkMeshDistortion::ComparePoints(vtkPolyData* reference, vtkPolyData* distorted,

@@ -122,6 +122,7 @@ private:
   void operator=(const vtkMeshDistortion&) = delete;
 
   struct Surfaces; // both meshes, prepared for what is asked of them
+  void ForgetFigures();
   void ComparePoints(vtkPolyData* reference, vtkPolyData* distorted, vtkPolyData* output);
   void CompareSurfaces(const Surfaces& surfaces, vtkPolyData* output);
   void CompareAppearance(const Surfaces& surfaces, vtkPolyData* output);

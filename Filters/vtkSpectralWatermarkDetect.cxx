@@ -48,6 +48,7 @@ int vtkSpectralWatermarkDetect::RequestData(vtkInformation*, vtkInformationVecto
     [&]()
     {
       this->CheckScheme();
+      sw::CheckFinite("FalsePositiveRate", this->FalsePositiveRate);
       vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
       vtkTable* table = vtkTable::GetData(outputs, 1);
       if (this->IsRobust())

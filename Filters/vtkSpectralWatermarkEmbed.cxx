@@ -68,6 +68,7 @@ int vtkSpectralWatermarkEmbed::RequestData(vtkInformation*, vtkInformationVector
     [&]()
     {
       this->CheckScheme();
+      sw::CheckFinite("MaximumDistortion", this->MaximumDistortion);
       vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
       vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
       vtkTable* table = vtkTable::GetData(outputs, 1);

@@ -54,11 +54,15 @@ auto WordOf(const MatrixXf& soft, Index b)
 VectorXd Fits(const MatrixXf& soft)
 {
   VectorXd fits = VectorXd::Zero(soft.rows());
-  MatrixXf sums;
   for (Index b = 0; b < soft.cols() / GolayCodeBits; ++b)
   {
-    sums.noalias() = WordOf(soft, b) * GolaySigns();
-    fits += sums.rowwise().maxCoeff().cast<double>();
+    const MatrixXf words = WordOf(soft, b);
+    for (Index row = 0; row < soft.rows(); ++row)
+    {
+      float fit = 0.0F;
+      GolayDecode(words.row(row), fit);
+      fits[row] += static_cast<double>(fit);
+    }
   }
   return fits / static_cast<double>(soft.cols());
 }

@@ -20,11 +20,8 @@ constexpr int GolayCodeBits = 24;
 /// The lowest 12 bits are the data's, the others the check's.
 std::uint32_t GolayEncode(std::uint32_t data);
 
-/// All words, a column for each data: 1 for a 0 and -1 for a 1. Soft bits, positive where they say 0,
-/// times this are how well each word fits.
-const Eigen::MatrixXf& GolaySigns();
-
-/// The data whose word fits best, the smallest among equals; `fit` becomes how well.
+/// The data whose word fits 24 soft bits best, the smallest among equals. Soft bits are positive where
+/// they say 0; `fit` becomes their sum, each with the sign that the word gives it.
 std::uint32_t GolayDecode(const Eigen::RowVectorXf& soft, float& fit);
 
 } // namespace spectralwatermark

@@ -6,12 +6,15 @@
 #include "Errors.h"
 #include "SpectraEigensolver.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace spectralwatermark
 {
@@ -137,6 +140,21 @@ void CheckConvergence(const EigenProblem& problem, const EigenPairs& pairs,
   }
 }
 
+// Eigenvalues that repeat come in any order, by a rounding. The kernel stays in front.
+void Sort(EigenPairs& pairs, Index kernel)
+{
+  std::vector<Index> order(static_cast<std::size_t>(pairs.Values.size()));
+  std::iota(order.begin(), order.end(), Index{ 0 });
+  std::stable_sort(order.begin() + std::min(kernel, pairs.Values.size()), order.end(),
+    [&pairs](Index a, Index b) { return pairs.Values[a] < pairs.Values[b]; });
+  if (!std::is_sorted(order.begin(), order.end()))
+  {
+    pairs.Values = pairs.Values(order).eval();
+    pairs.Residuals = pairs.Residuals(order).eval();
+    pairs.Vectors = pairs.Vectors(Eigen::all, order).eval();
+  }
+}
+
 } // namespace
 
 ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
@@ -170,6 +188,7 @@ ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
   EigenPairs pairs = CreateSolver(choice, mesh.NumberOfVertices())
                        ->Solve(problem, solverOptions, progress.Part(0.02, 0.98));
   CheckConvergence(problem, pairs, options);
+  Sort(pairs, op.Kernel.cols());
 
   ManifoldHarmonics harmonics;
   harmonics.Eigenvalues = pairs.Values / area;

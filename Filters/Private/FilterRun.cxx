@@ -12,8 +12,10 @@
 #include <vtkSMPTools.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
+#include <cmath>
 #include <memory>
 #include <new>
+#include <string>
 
 namespace spectralwatermark
 {
@@ -67,6 +69,14 @@ Progress ProgressOf(vtkAlgorithm* filter)
 int ThreadsOfVtk()
 {
   return vtkSMPTools::GetEstimatedNumberOfThreads();
+}
+
+void CheckFinite(const char* property, double value)
+{
+  if (!std::isfinite(value))
+  {
+    throw InvalidInput(std::string(property) + " must be finite");
+  }
 }
 
 int RunFilter(vtkAlgorithm* filter, unsigned long& errorCode, vtkInformationVector* outputs,

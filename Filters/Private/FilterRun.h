@@ -19,6 +19,9 @@ Progress ProgressOf(vtkAlgorithm* filter);
 /// How many threads VTK's own filters would use (vtkSMPTools).
 int ThreadsOfVtk();
 
+/// Throws InvalidInput for a value that is not finite: VTK's clamping lets those pass.
+void CheckFinite(const char* property, double value);
+
 /// Runs `recipe` and turns what it throws into VTK's terms; the return value is RequestData's.
 ///
 /// - An error: vtkErrorMacro with its text, every output emptied, `errorCode` set to

@@ -15,7 +15,9 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <sstream>
 #include <string>
 
 namespace spectralwatermark
@@ -39,6 +41,50 @@ void CheckNotEmpty(vtkPolyData* input)
   }
 }
 
+constexpr const char* NoSurface = "no polygon has three distinct points: there is no surface";
+
+// Lengths to the sixth power are computed with.
+constexpr double SmallestSize = 1e-50;
+constexpr double LargestCoordinate = 1e50;
+
+// Before anything of VTK goes by these numbers.
+void CheckCorners(vtkCellArray* cells, vtkIdType pointCount)
+{
+  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    iterator->GetCurrentCell(size, corners);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      if (corners[i] < 0 || corners[i] >= pointCount)
+      {
+        throw InvalidInput("a cell uses point " + std::to_string(corners[i]) + ", but there are " +
+          std::to_string(pointCount) + " points: the mesh is damaged");
+      }
+    }
+  }
+}
+
+// Without the cells that are no surface, which vtkTriangleFilter crashes on.
+vtkSmartPointer<vtkCellArray> WithThreeCorners(vtkCellArray* cells)
+{
+  auto kept = vtkSmartPointer<vtkCellArray>::New();
+  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    iterator->GetCurrentCell(size, corners);
+    if (size >= 3)
+    {
+      kept->InsertNextCell(size, corners);
+    }
+  }
+  return kept;
+}
+
 // The same points, with nothing but triangles.
 vtkSmartPointer<vtkCellArray> Triangulated(vtkPolyData* input)
 {
@@ -50,8 +96,8 @@ vtkSmartPointer<vtkCellArray> Triangulated(vtkPolyData* input)
   }
   vtkNew<vtkPolyData> surface;
   surface->SetPoints(input->GetPoints());
-  surface->SetPolys(input->GetPolys());
-  surface->SetStrips(input->GetStrips());
+  surface->SetPolys(WithThreeCorners(input->GetPolys()));
+  surface->SetStrips(WithThreeCorners(input->GetStrips()));
   vtkNew<vtkTriangleFilter> triangulate;
   triangulate->SetInputData(surface);
   triangulate->PassVertsOff();
@@ -60,7 +106,7 @@ vtkSmartPointer<vtkCellArray> Triangulated(vtkPolyData* input)
   return triangulate->GetOutput()->GetPolys();
 }
 
-std::vector<Triangle> TrianglesOf(vtkCellArray* cells, vtkIdType pointCount)
+std::vector<Triangle> TrianglesOf(vtkCellArray* cells)
 {
   std::vector<Triangle> triangles;
   triangles.reserve(static_cast<std::size_t>(cells->GetNumberOfCells()));
@@ -70,14 +116,6 @@ std::vector<Triangle> TrianglesOf(vtkCellArray* cells, vtkIdType pointCount)
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
     iterator->GetCurrentCell(size, corners);
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      if (corners[i] < 0 || corners[i] >= pointCount)
-      {
-        throw InvalidInput("a polygon uses point " + std::to_string(corners[i]) +
-          ", but there are " + std::to_string(pointCount) + " points: the mesh is damaged");
-      }
-    }
     if (size == 3)
     {
       triangles.push_back({ corners[0], corners[1], corners[2] });
@@ -153,10 +191,27 @@ TriangleMesh::TriangleMatrix ProperTriangles(const std::vector<Triangle>& triang
   }
   if (kept == 0)
   {
-    throw InvalidInput("no polygon has three distinct points: there is no surface");
+    throw InvalidInput(NoSurface);
   }
   proper.conservativeResize(kept, 3);
   return proper;
+}
+
+std::string Rounded(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+void CheckSize(const TriangleMesh::PointMatrix& points)
+{
+  const double size = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+  if (!(size > SmallestSize))
+  {
+    throw InvalidInput("the mesh is only " + Rounded(size) +
+      " large: choose smaller units, so that its size is about 1");
+  }
 }
 
 } // namespace
@@ -165,7 +220,16 @@ PolyDataMesh ToMesh(vtkPolyData* input, CoincidentPoints coincident)
 {
   CheckNotEmpty(input);
   const vtkIdType pointCount = input->GetNumberOfPoints();
-  const std::vector<Triangle> triangles = TrianglesOf(Triangulated(input), pointCount);
+  for (vtkCellArray* cells :
+    { input->GetVerts(), input->GetLines(), input->GetPolys(), input->GetStrips() })
+  {
+    CheckCorners(cells, pointCount);
+  }
+  const std::vector<Triangle> triangles = TrianglesOf(Triangulated(input));
+  if (triangles.empty())
+  {
+    throw InvalidInput(NoSurface);
+  }
   const std::vector<vtkIdType> used = UsedPoints(triangles, pointCount);
 
   PolyDataMesh result;
@@ -187,28 +251,57 @@ PolyDataMesh ToMesh(vtkPolyData* input, CoincidentPoints coincident)
   }
   result.Mesh.Points = PointsAt(input, result.PointOfVertex);
   result.Mesh.Triangles = ProperTriangles(triangles, result.VertexOfPoint);
+  CheckSize(result.Mesh.Points);
   return result;
 }
 
-TriangleMesh::PointMatrix PointsAt(vtkPolyData* input, const std::vector<vtkIdType>& ids)
+TriangleMesh::PointMatrix PointsOf(vtkPolyData* mesh, const std::vector<vtkIdType>& ids)
 {
   TriangleMesh::PointMatrix points(static_cast<Index>(ids.size()), 3);
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
     double p[3];
-    input->GetPoint(ids[i], p);
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-    {
-      throw InvalidInput("point " + std::to_string(ids[i]) +
-        " has a coordinate that is not finite: remove it and its polygons, or mend the file");
-    }
+    mesh->GetPoint(ids[i], p);
     points.row(static_cast<Index>(i)) << p[0], p[1], p[2];
   }
   return points;
 }
 
+TriangleMesh::PointMatrix PointsAt(vtkPolyData* input, const std::vector<vtkIdType>& ids)
+{
+  TriangleMesh::PointMatrix points = PointsOf(input, ids);
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    const auto point = points.row(static_cast<Index>(i));
+    if (!point.allFinite())
+    {
+      throw InvalidInput("point " + std::to_string(ids[i]) +
+        " has a coordinate that is not finite: remove it and its polygons, or mend the file");
+    }
+    if (point.cwiseAbs().maxCoeff() > LargestCoordinate)
+    {
+      throw InvalidInput("point " + std::to_string(ids[i]) + " has a coordinate beyond " +
+        Rounded(LargestCoordinate) + ": mend the file, or choose larger units");
+    }
+  }
+  return points;
+}
+
+void CheckStorable(const TriangleMesh::PointMatrix& points, bool storesFloat)
+{
+  const double largest = storesFloat ? static_cast<double>(std::numeric_limits<float>::max())
+                                     : std::numeric_limits<double>::max();
+  if (!points.allFinite() || points.cwiseAbs().maxCoeff() > largest)
+  {
+    throw InvalidInput(std::string("the result has coordinates beyond what ") +
+      (storesFloat ? "float holds: set OutputPointsPrecision to double, or scale the mesh"
+                   : "double holds: scale the mesh, or choose smaller values"));
+  }
+}
+
 vtkSmartPointer<vtkPolyData> ToPolyData(const TriangleMesh& mesh, bool storesFloat)
 {
+  CheckStorable(mesh.Points, storesFloat);
   vtkNew<vtkPoints> points;
   points->SetDataType(storesFloat ? VTK_FLOAT : VTK_DOUBLE);
   points->SetNumberOfPoints(mesh.NumberOfVertices());
@@ -265,8 +358,10 @@ bool StoresFloat(vtkPolyData* input, int outputPointsPrecision)
 void SetPoints(vtkPolyData* output, vtkPolyData* input, const PolyDataMesh& mesh,
   const TriangleMesh::PointMatrix& points, int outputPointsPrecision)
 {
+  const bool storesFloat = StoresFloat(input, outputPointsPrecision);
+  CheckStorable(points, storesFloat);
   vtkNew<vtkPoints> moved;
-  moved->SetDataType(StoresFloat(input, outputPointsPrecision) ? VTK_FLOAT : VTK_DOUBLE);
+  moved->SetDataType(storesFloat ? VTK_FLOAT : VTK_DOUBLE);
   moved->SetNumberOfPoints(input->GetNumberOfPoints());
   for (vtkIdType point = 0; point < input->GetNumberOfPoints(); ++point)
   {

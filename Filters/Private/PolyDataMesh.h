@@ -34,7 +34,8 @@ struct PolyDataMesh
 };
 
 /// Converts polygons and strips, triangulated where they are not triangles. Throws InvalidInput:
-/// no points, no polygons, coordinates that are not finite, no triangle with three vertices.
+/// no points, no polygons, cells of points that do not exist, coordinates that are not finite or beyond
+/// 1e50, a mesh smaller than 1e-50, no triangle with three vertices.
 PolyDataMesh ToMesh(vtkPolyData* input, CoincidentPoints coincident = CoincidentPoints::Merge);
 
 /// The mesh as a vtkPolyData, with points in float or double.
@@ -52,8 +53,14 @@ bool StoresFloat(vtkPolyData* input, int outputPointsPrecision);
 void SetPoints(vtkPolyData* output, vtkPolyData* input, const PolyDataMesh& mesh,
   const TriangleMesh::PointMatrix& points, int outputPointsPrecision);
 
-/// Coordinates of some points of a mesh, a row per id, in double. Throws InvalidInput when one is
-/// not finite.
+/// Throws InvalidInput when a coordinate is not finite, or beyond what float holds where it is to be one.
+void CheckStorable(const TriangleMesh::PointMatrix& points, bool storesFloat);
+
+/// Coordinates of some points of a mesh, a row per id, in double.
+TriangleMesh::PointMatrix PointsOf(vtkPolyData* mesh, const std::vector<vtkIdType>& ids);
+
+/// The same of an input. Throws InvalidInput when one is
+/// not finite or beyond 1e50.
 TriangleMesh::PointMatrix PointsAt(vtkPolyData* input, const std::vector<vtkIdType>& ids);
 
 } // namespace spectralwatermark

@@ -115,16 +115,146 @@ TEST(BadInput, UnusedPointsMayBeAnything)
   EXPECT_EQ(embed->GetConverged(), 1);
 }
 
-TEST(BadInput, PolygonsBeyondThePoints)
+// Polygons that VTK triangulates by their points' numbers, and cells that are no surface.
+TEST(BadInput, CellsBeyondThePoints)
+{
+  const auto withCell = [](vtkCellArray* cells, std::initializer_list<vtkIdType> corners)
+  {
+    vtkNew<vtkCellArray> more;
+    more->DeepCopy(cells);
+    more->InsertNextCell(corners);
+    return vtkSmartPointer<vtkCellArray>(more);
+  };
+  const auto sound = PolyData(shapes::Icosphere(1));
+  for (const vtkIdType beyond : { vtkIdType{ 4200 }, vtkIdType{ -1 }, vtkIdType{ 1 } << 40 })
+  {
+    const std::string text =
+      "a cell uses point " + std::to_string(beyond) + ", but there are 42 points";
+    std::vector<vtkSmartPointer<vtkPolyData>> meshes;
+    for (int k = 0; k < 5; ++k)
+    {
+      meshes.push_back(vtkSmartPointer<vtkPolyData>::New());
+      meshes.back()->DeepCopy(sound);
+    }
+    meshes[0]->SetPolys(withCell(sound->GetPolys(), { 0, 1, beyond }));
+    meshes[1]->SetPolys(withCell(sound->GetPolys(), { 0, 1, 2, beyond }));
+    meshes[2]->SetStrips(withCell(sound->GetStrips(), { 0, 1, 2, beyond }));
+    meshes[3]->SetLines(withCell(sound->GetLines(), { 0, beyond }));
+    meshes[4]->SetVerts(withCell(sound->GetVerts(), { beyond }));
+    for (vtkPolyData* mesh : meshes)
+    {
+      for (const auto& filter : EveryFilter())
+      {
+        SetEveryInput(filter, mesh);
+        ExpectErrorFrom(filter, text.c_str());
+      }
+    }
+  }
+}
+
+TEST(BadInput, PolygonsAndStripsWithoutThreeCornersAreLeftOut)
 {
   const auto mesh = PolyData(shapes::Icosphere(1));
-  vtkNew<vtkCellArray> cells;
-  cells->DeepCopy(mesh->GetPolys());
-  cells->InsertNextCell({ 0, 1, 4200 });
-  mesh->SetPolys(cells);
+  vtkNew<vtkManifoldHarmonics> plain;
+  plain->SetNumberOfHarmonics(9);
+  plain->SetInputData(mesh);
+  plain->Update();
+  const auto more = vtkSmartPointer<vtkPolyData>::New();
+  more->DeepCopy(mesh);
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell({ 0, 1 });
+  strips->InsertNextCell(0, static_cast<const vtkIdType*>(nullptr));
+  more->SetStrips(strips);
+  more->GetPolys()->InsertNextCell({ 3, 4 });
+  vtkNew<vtkManifoldHarmonics> with;
+  with->SetNumberOfHarmonics(9);
+  with->SetInputData(more);
+  with->Update();
+  ASSERT_EQ(with->GetErrorCode(), vtkErrorCode::NoError);
+  for (int k = 0; k < 9; ++k)
+  {
+    EXPECT_EQ(FieldArray(with->GetOutput(), "Eigenvalues")->GetTuple1(k),
+      FieldArray(plain->GetOutput(), "Eigenvalues")->GetTuple1(k));
+  }
+}
+
+TEST(BadInput, SizesThatCannotBeComputedWith)
+{
+  const auto scaled = [](double factor)
+  {
+    shapes::TriangleMesh mesh = shapes::Bumpy(4);
+    mesh.Points *= factor;
+    return PolyData(mesh);
+  };
+  ExpectErrorFromEvery(scaled(1e60), "has a coordinate beyond 1e+50");
+  ExpectErrorFromEvery(scaled(1e-60), "large: choose smaller units");
+}
+
+// What is said to survive turning and scaling does so at any scale of the units.
+TEST(BadInput, ScalesFromAtomsToGalaxiesAreNone)
+{
+  for (const double factor : { 1e-30, 1e30 })
+  {
+    shapes::TriangleMesh mesh = shapes::Bumpy(4);
+    mesh.Points *= factor;
+    vtkNew<vtkSpectralWatermarkEmbed> embed;
+    embed->SetSecretKey("a secret for the test");
+    embed->SetInputData(PolyData(mesh));
+    vtkNew<vtkSpectralWatermarkDetect> detect;
+    detect->SetSecretKey("a secret for the test");
+    detect->UseDerivedMessageOn();
+    detect->SetInputConnection(embed->GetOutputPort());
+    detect->Update();
+    EXPECT_EQ(embed->GetConverged(), 1) << factor;
+    EXPECT_EQ(detect->GetDetected(), 1) << factor;
+  }
+}
+
+TEST(BadInput, ResultsThatFloatCannotHold)
+{
+  vtkNew<vtkMeshAttack> attack;
+  attack->SetInputData(PolyData(shapes::Icosphere(3, 1e20)));
+  attack->SetAttackToUniformScaling();
+  attack->SetScaleFactor(1e40);
+  attack->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
+  ExpectErrorFrom(attack, "beyond what float holds: set OutputPointsPrecision to double");
+  attack->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  attack->Update();
+  EXPECT_EQ(attack->GetErrorCode(), vtkErrorCode::NoError);
+  attack->SetScaleFactor(VTK_DOUBLE_MAX);
+  ExpectErrorFrom(attack, "beyond what double holds");
+}
+
+TEST(BadInput, PropertiesThatAreNotFinite)
+{
+  const auto mesh = PolyData(shapes::Bumpy(4));
   vtkNew<vtkManifoldHarmonics> harmonics;
-  harmonics->SetInputData(mesh);
-  ExpectErrorFrom(harmonics, "a polygon uses point 4200");
+  harmonics->SetTolerance(vtkMath::Nan());
+  vtkNew<vtkManifoldHarmonicsSimilarity> similarity;
+  similarity->SetClusterTolerance(vtkMath::Nan());
+  vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetMessage("10110");
+  embed->SetMaximumDistortion(vtkMath::Nan());
+  vtkNew<vtkSpectralWatermarkDetect> detect;
+  detect->SetFalsePositiveRate(vtkMath::Nan());
+  vtkNew<vtkMeshAttack> simplification;
+  simplification->SetAttackToSimplification();
+  simplification->SetSimplificationPercent(vtkMath::Nan());
+  vtkNew<vtkMeshAttack> cropping;
+  cropping->SetAttackToCropping();
+  cropping->SetCroppingPercent(vtkMath::Nan());
+  vtkNew<vtkMeshAttack> remeshing;
+  remeshing->SetAttackToRemeshing();
+  remeshing->SetRemeshingPercent(vtkMath::Nan());
+  for (const auto& [filter, property] :
+    std::vector<std::pair<vtkPolyDataAlgorithm*, const char*>>{ { harmonics, "Tolerance" },
+      { similarity, "ClusterTolerance" }, { embed, "MaximumDistortion" },
+      { detect, "FalsePositiveRate" }, { simplification, "SimplificationPercent" },
+      { cropping, "CroppingPercent" }, { remeshing, "RemeshingPercent" } })
+  {
+    SetEveryInput(filter, mesh);
+    ExpectErrorFrom(filter, (property + std::string(" must be finite")).c_str());
+  }
 }
 
 TEST(BadInput, NoAreaAtAll)

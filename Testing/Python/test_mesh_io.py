@@ -458,6 +458,26 @@ class ReadingTest(InFolder):
                 self.assert_refused(read_mesh, self.file("mesh.ply", binary(faces, ((),) * 3)),
                                     f"names point {faces[-1][-1]}")
 
+    def test_vtp_in_every_encoding(self):
+        mesh = read_mesh(PEBBLE)
+        decorate(mesh)
+        for mode in ("Ascii", "Binary", "Appended"):
+            for encoded in (False, True):
+                for compressor in ("None", "ZLib"):
+                    for header in ("UInt32", "UInt64"):
+                        with self.subTest(mode=mode, encoded=encoded, compressor=compressor, header=header):
+                            writer = vtkXMLPolyDataWriter()
+                            getattr(writer, f"SetDataModeTo{mode}")()
+                            writer.SetEncodeAppendedData(encoded)
+                            getattr(writer, f"SetCompressorTypeTo{compressor}")()
+                            getattr(writer, f"SetHeaderTypeTo{header}")()
+                            writer.SetInputData(mesh)
+                            writer.SetFileName(str(self.folder / "mesh.vtp"))
+                            writer.Write()
+                            again = read_mesh(self.folder / "mesh.vtp")
+                            np.testing.assert_array_equal(points_of(again), points_of(mesh))
+                            self.assertEqual(faces_of(again), faces_of(mesh))
+
     def test_ply_texture_coordinates_of_other_names(self):
         rows = b"0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n0 1 0.5 0 1\n"
         for names in ("uv", "st", ("texture_u", "texture_v")):

@@ -71,6 +71,8 @@ from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkOBJWriter, vtkSTLReader, v
 from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
+from . import vtp
+
 __all__ = ["MeshFileError", "check_writable", "read_mesh", "stores_float", "write_file", "write_mesh"]
 
 _COLOURS = "colours"  # the array's name, as the PLY writer is told it
@@ -543,6 +545,8 @@ def _read_obj(path: Path) -> vtkPolyData:
     reader = vtkOBJReader()
     reader.SetFileName(os.fsencode(path))
     mesh = _run_reader(reader)
+    if mesh.GetNumberOfPoints() == 0:
+        raise MeshFileError("no polygons in it; is it a surface mesh?")
     data = mesh.GetPointData()
     arrays = [data.GetArray(i) for i in range(data.GetNumberOfArrays())]
     # VTK gives each material an array, as long as the file's list and not as the points are many;
@@ -646,6 +650,8 @@ def _check_obj(data: bytes) -> int:
 def _check_obj_face(corners: list[bytes], found: dict[bytes, int],
                     largest: dict[bytes, int]) -> bool:
     """Keeps the largest numbers; returns whether there are normals."""
+    if len(corners) < 3:
+        raise ValueError
     normals = False
     for corner in corners:
         for kind, part in zip((b"v", b"vt", b"vn"), corner.split(b"/")):
@@ -732,44 +738,15 @@ def _write_stl(mesh: vtkPolyData, path: Path) -> None:
 
 # --- VTP ---------------------------------------------------------------------------------------
 
-_ZLIB_RATIO = 1032  # no compressed file holds more bytes for one of its own
-_NOT_VTP = "its binary part is cut off or was copied as text; copy or export it again"
-
 
 def _read_vtp(path: Path) -> vtkPolyData:
-    _check_vtp(path.read_bytes())
+    try:
+        vtp.check(path.read_bytes())
+    except vtp.Damaged as error:
+        raise MeshFileError(str(error)) from None
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(os.fsencode(path))
     return _run_reader(reader)
-
-
-def _check_vtp(data: bytes) -> None:
-    """VTK 9.1 aborts when the memory is not to be had that damaged numbers ask for.
-
-    As when a file was copied as text: with its line breaks changed, something else than the head of
-    a compressed array is taken for one.
-    """
-    raw = re.search(rb'<AppendedData\s+encoding="raw"\s*>\s*(.)', data, re.DOTALL)
-    text = data[:raw.start() if raw else len(data)]
-    for name, count in re.findall(rb'\s(NumberOf\w+)="([^"]*)"', text):
-        if not count.isdigit() or int(count) > _ZLIB_RATIO * len(data):
-            raise MeshFileError(f"its {name[:30].decode('ascii', 'replace')} is not one that a "
-                                "file of this size can have; copy or export it again")
-    if not raw or b"compressor=" not in text:
-        return
-    if raw[1] != b"_":
-        raise MeshFileError(_NOT_VTP)
-    order = "big" if b'byte_order="BigEndian"' in text else "little"
-    size = 8 if b'header_type="UInt64"' in text else 4
-    for offset in re.findall(rb'\soffset="([0-9]+)"', text):
-        start = raw.end() + int(offset)
-        # The number of blocks, the size of each, of the last, and of each when compressed.
-        blocks = int.from_bytes(data[start:start + size], order)
-        end = start + (3 + blocks) * size
-        if end > len(data) or end + sum(
-                int.from_bytes(data[at:at + size], order)
-                for at in range(start + 3 * size, end, size)) > len(data):
-            raise MeshFileError(_NOT_VTP)
 
 
 def _write_vtp(mesh: vtkPolyData, path: Path) -> None:

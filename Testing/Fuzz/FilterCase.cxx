@@ -1,0 +1,463 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fuzz/FilterCase.h"
+
+#include "Fuzz/RandomMesh.h"
+#include "Support/FilterTesting.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkErrorCode.h>
+#include <vtkFieldData.h>
+#include <vtkManifoldHarmonics.h>
+#include <vtkManifoldHarmonicsReconstruction.h>
+#include <vtkManifoldHarmonicsSimilarity.h>
+#include <vtkMeshAttack.h>
+#include <vtkMeshDistortion.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSpectralWatermarkDetect.h>
+#include <vtkSpectralWatermarkEmbed.h>
+#include <vtkTable.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+namespace fuzzing
+{
+
+namespace
+{
+
+using filtertesting::Listener;
+
+// Thrown by what is checked.
+struct Violation : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+void Require(bool holds, const std::string& what)
+{
+  if (!holds)
+  {
+    throw Violation(what);
+  }
+}
+
+// --- Properties ----------------------------------------------------------------------------------
+
+// Mostly small, sometimes anything.
+int Count(Bytes& bytes, int usual)
+{
+  return bytes.Below(32) == 0 ? bytes.Raw<int>() : bytes.Below(usual + 1);
+}
+
+double Real(Bytes& bytes, double usual)
+{
+  switch (bytes.Below(16))
+  {
+    case 0:
+      return bytes.Raw<double>();
+    case 1:
+      return bytes.Flag() ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+    default:
+      return usual * (2.0 * bytes.Share() - 0.5);
+  }
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> Harmonics(Bytes& bytes)
+{
+  auto filter = vtkSmartPointer<vtkManifoldHarmonics>::New();
+  filter->SetNumberOfHarmonics(Count(bytes, 60));
+  filter->SetMassMatrix(bytes.Below(2));
+  filter->SetSolver(bytes.Below(5));
+  filter->SetBandSize(Count(bytes, 40));
+  filter->SetTolerance(Real(bytes, 1e-6));
+  filter->SetArrayName(bytes.Flag() ? "ManifoldHarmonics" : "");
+  return filter;
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> Reconstruction(Bytes& bytes)
+{
+  auto filter = vtkSmartPointer<vtkManifoldHarmonicsReconstruction>::New();
+  filter->SetNumberOfHarmonics(Count(bytes, 60));
+  filter->SetKeepResidual(bytes.Flag());
+  filter->SetGain(Count(bytes, 20), Real(bytes, 2.0));
+  filter->SetOutputPointsPrecision(bytes.Below(3));
+  return filter;
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> Similarity(Bytes& bytes)
+{
+  auto filter = vtkSmartPointer<vtkManifoldHarmonicsSimilarity>::New();
+  filter->SetNumberOfHarmonics(Count(bytes, 60));
+  filter->SetClusterTolerance(Real(bytes, 0.1));
+  return filter;
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> Attack(Bytes& bytes)
+{
+  auto filter = vtkSmartPointer<vtkMeshAttack>::New();
+  filter->SetAttack(bytes.Below(17) - 1);
+  filter->SetSeed(bytes.Raw<int>());
+  filter->SetRotationAngle(Real(bytes, 180.0));
+  filter->SetRotationAxis(Real(bytes, 1.0), Real(bytes, 1.0), Real(bytes, 1.0));
+  filter->SetScaleFactor(Real(bytes, 2.0));
+  filter->SetTranslationVector(Real(bytes, 1.0), Real(bytes, 1.0), Real(bytes, 1.0));
+  filter->SetNoiseFactor(Real(bytes, 1.0));
+  filter->SetNumberOfHarmonics(Count(bytes, 60));
+  filter->SetCutoffComponent(Count(bytes, 60));
+  filter->SetSmoothingGain(Real(bytes, 1.0));
+  filter->SetKeepResidual(bytes.Flag());
+  filter->SetSimplificationPercent(Real(bytes, 60.0));
+  filter->SetNoisePercent(Real(bytes, 1.0));
+  filter->SetSmoothingFactor(Real(bytes, 1.0));
+  filter->SetSmoothingIterations(bytes.Below(30));
+  filter->SetQuantizationBits(Count(bytes, 30));
+  filter->SetSubdivisionType(bytes.Below(4));
+  filter->SetNumberOfSubdivisions(bytes.Below(2));
+  filter->SetCroppingPercent(Real(bytes, 60.0));
+  filter->SetRemeshingMethod(bytes.Below(3));
+  filter->SetRemeshingPercent(100.0 * bytes.Share());
+  filter->SetIsosurfaceResolution(bytes.Below(32));
+  filter->SetAxisScaleFactors(Real(bytes, 2.0), Real(bytes, 2.0), Real(bytes, 2.0));
+  filter->SetOutputPointsPrecision(bytes.Below(3));
+  return filter;
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> Distortion(Bytes& bytes)
+{
+  auto filter = vtkSmartPointer<vtkMeshDistortion>::New();
+  filter->SetComputeSurfaceDistances(bytes.Flag());
+  filter->SetComputePerceptualDistances(bytes.Flag());
+  return filter;
+}
+
+void SetWatermark(vtkSpectralWatermarkAlgorithm* filter, Bytes& bytes)
+{
+  filter->SetScheme(bytes.Below(8) == 0 ? bytes.Below(4) - 1 : bytes.Below(2));
+  filter->SetSlotDivision(bytes.Below(2));
+  filter->SetFirstComponent(Count(bytes, 12));
+  filter->SetSlotSize(Count(bytes, 12));
+  filter->SetCarrierPosition(Count(bytes, 12));
+  filter->SetBitEmbedding(bytes.Below(2));
+  filter->SetTurbulenceFactor(Real(bytes, 1.0));
+  filter->SetNumberOfBits(Count(bytes, 24));
+  if (bytes.Flag())
+  {
+    filter->SetSecretKey("a secret of the fuzzer");
+  }
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> Detect(Bytes& bytes)
+{
+  auto filter = vtkSmartPointer<vtkSpectralWatermarkDetect>::New();
+  SetWatermark(filter, bytes);
+  if (bytes.Flag())
+  {
+    filter->SetExpectedMessage(bytes.Below(16) == 0 ? "maybe" : bytes.Bits(24).c_str());
+  }
+  filter->SetUseDerivedMessage(bytes.Flag());
+  filter->SetDetector(bytes.Below(2));
+  filter->SetFalsePositiveRate(Real(bytes, 0.1));
+  return filter;
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> Embed(Bytes& bytes)
+{
+  auto filter = vtkSmartPointer<vtkSpectralWatermarkEmbed>::New();
+  SetWatermark(filter, bytes);
+  if (bytes.Flag())
+  {
+    filter->SetMessage(bytes.Below(16) == 0 ? "01x" : bytes.Bits(12).c_str());
+  }
+  filter->SetRequiredBits(Count(bytes, 12));
+  filter->SetMaximumNumberOfIterations(1 + bytes.Below(4));
+  filter->SetMaximumDistortion(bytes.Flag() ? 0.07 : Real(bytes, 2.0));
+  filter->SetReportCapacity(bytes.Below(16) == 0);
+  filter->SetOutputPointsPrecision(bytes.Below(3));
+  return filter;
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> Filter(const std::string& name, Bytes& bytes)
+{
+  using Maker = vtkSmartPointer<vtkPolyDataAlgorithm> (*)(Bytes&);
+  static const std::map<std::string, Maker> makers{ { FilterNames[0], Harmonics },
+    { FilterNames[1], Reconstruction }, { FilterNames[2], Similarity }, { FilterNames[3], Attack },
+    { FilterNames[4], Distortion }, { FilterNames[5], Detect }, { FilterNames[6], Embed } };
+  return makers.at(name)(bytes);
+}
+
+// --- What must hold ------------------------------------------------------------------------------
+
+bool SameArray(vtkDataArray* a, vtkDataArray* b)
+{
+  if (a->GetNumberOfValues() != b->GetNumberOfValues())
+  {
+    return false;
+  }
+  for (vtkIdType i = 0; i < a->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < a->GetNumberOfComponents(); ++c)
+    {
+      const double x = a->GetComponent(i, c);
+      const double y = b->GetComponent(i, c);
+      if (!(x == y || (std::isnan(x) && std::isnan(y))))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool SameCells(vtkPolyData* a, vtkPolyData* b)
+{
+  for (const auto get : { &vtkPolyData::GetVerts, &vtkPolyData::GetLines, &vtkPolyData::GetPolys,
+         &vtkPolyData::GetStrips })
+  {
+    vtkCellArray* ofA = (a->*get)();
+    vtkCellArray* ofB = (b->*get)();
+    if (ofA->GetNumberOfCells() != ofB->GetNumberOfCells() ||
+      !SameArray(ofA->GetConnectivityArray(), ofB->GetConnectivityArray()) ||
+      !SameArray(ofA->GetOffsetsArray(), ofB->GetOffsetsArray()))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void RequireUnchanged(vtkPolyData* before, vtkPolyData* now)
+{
+  Require(SameArray(before->GetPoints()->GetData(), now->GetPoints()->GetData()),
+    "the input's points were changed");
+  Require(SameCells(before, now), "the input's cells were changed");
+}
+
+bool IsEmpty(vtkDataObject* output)
+{
+  if (auto* table = vtkTable::SafeDownCast(output))
+  {
+    return table->GetNumberOfColumns() == 0;
+  }
+  auto* mesh = vtkPolyData::SafeDownCast(output);
+  return mesh != nullptr && mesh->GetNumberOfPoints() == 0 && mesh->GetNumberOfCells() == 0;
+}
+
+void RequireFinite(vtkFieldData* data, const std::string& where)
+{
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+  {
+    vtkDataArray* array = data->GetArray(k);
+    if (array == nullptr)
+    {
+      continue; // text
+    }
+    const std::string name = array->GetName() == nullptr ? "?" : array->GetName();
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+      {
+        Require(std::isfinite(array->GetComponent(i, c)),
+          where + ' ' + name + " holds what is not finite");
+      }
+    }
+  }
+}
+
+// Points that polygons use; others may be anything, and stay so.
+void RequireFinitePoints(vtkPolyData* mesh)
+{
+  for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
+  {
+    vtkDataArray* corners = cells->GetConnectivityArray();
+    for (vtkIdType i = 0; i < corners->GetNumberOfTuples(); ++i)
+    {
+      const auto id = static_cast<vtkIdType>(corners->GetComponent(i, 0));
+      Require(id >= 0 && id < mesh->GetNumberOfPoints(),
+        "a polygon of a point that does not exist");
+      double p[3];
+      mesh->GetPoint(id, p);
+      Require(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]),
+        "a point is not finite");
+    }
+  }
+}
+
+bool KeepsCells(vtkPolyDataAlgorithm* filter)
+{
+  auto* attack = vtkMeshAttack::SafeDownCast(filter);
+  if (attack == nullptr)
+  {
+    return true;
+  }
+  switch (attack->GetAttack())
+  {
+    case vtkMeshAttack::Simplification:
+    case vtkMeshAttack::Subdivision:
+    case vtkMeshAttack::VertexReordering:
+    case vtkMeshAttack::Cropping:
+    case vtkMeshAttack::Remeshing:
+      return false;
+    default:
+      return true;
+  }
+}
+
+void RequireSameMesh(vtkPolyData* input, vtkPolyData* output)
+{
+  Require(output->GetNumberOfPoints() == input->GetNumberOfPoints(),
+    "the number of points changed");
+  Require(SameCells(input, output), "the cells changed");
+  for (const auto& [ofInput, ofOutput] :
+    { std::pair<vtkFieldData*, vtkFieldData*>(input->GetPointData(), output->GetPointData()),
+      std::pair<vtkFieldData*, vtkFieldData*>(input->GetCellData(), output->GetCellData()) })
+  {
+    for (int k = 0; k < ofInput->GetNumberOfArrays(); ++k)
+    {
+      vtkDataArray* array = ofOutput->GetArray(ofInput->GetArrayName(k));
+      Require(array != nullptr && SameArray(array, ofInput->GetArray(k)),
+        std::string("lost or changed: ") + ofInput->GetArrayName(k));
+    }
+  }
+}
+
+void RequireReadBack(vtkSpectralWatermarkEmbed* embed)
+{
+  if (embed->GetConverged() == 0 || embed->GetScheme() != vtkSpectralWatermarkEmbed::Robust)
+  {
+    return;
+  }
+  vtkNew<vtkSpectralWatermarkDetect> detect;
+  detect->SetInputData(embed->GetOutput());
+  detect->SetNumberOfBits(static_cast<int>(std::string(embed->GetExtractedMessage()).size()));
+  if (embed->GetHasSecretKey() != 0)
+  {
+    detect->SetSecretKey("a secret of the fuzzer");
+  }
+  Listener listener(detect);
+  detect->Update();
+  Require(listener.Errors.empty(), "a marked mesh cannot be read: " + listener.Errors);
+  Require(std::string(detect->GetExtractedMessage()) == embed->GetExtractedMessage() &&
+      detect->GetMessageIsValid() != 0,
+    "a detector reads something else than embedding said");
+  Require(embed->GetDistortion() <= embed->GetMaximumDistortion() * (1.0 + 1e-9),
+    "embedding went beyond MaximumDistortion");
+}
+
+void RequireVerdict(vtkSpectralWatermarkDetect* detect)
+{
+  Require(detect->GetPValue() >= 0.0 && detect->GetPValue() <= 1.0,
+    "the p-value is no probability");
+  const double rate = detect->GetBitErrorRate();
+  Require(rate == -1.0 || (rate >= 0.0 && rate <= 1.0), "the bit error rate is no rate");
+  Require(std::isfinite(detect->GetCorrelation()) && std::isfinite(detect->GetLogLikelihoodRatio()),
+    "a statistic is not finite");
+  Require(detect->GetDetected() == 0 || detect->GetPValue() <= detect->GetFalsePositiveRate(),
+    "detected at a p-value above the rate");
+}
+
+void RequireSpectrum(vtkPolyData* output)
+{
+  vtkDataArray* values = output->GetFieldData()->GetArray("Eigenvalues");
+  Require(values != nullptr && values->GetNumberOfTuples() > 0, "no eigenvalues");
+  for (vtkIdType i = 1; i < values->GetNumberOfTuples(); ++i)
+  {
+    Require(values->GetTuple1(i) >= values->GetTuple1(i - 1),
+      "eigenvalues are not in order: " + std::to_string(values->GetTuple1(i - 1)) + ", " +
+        std::to_string(values->GetTuple1(i)));
+  }
+}
+
+void RequireSound(vtkPolyDataAlgorithm* filter, vtkPolyData* input)
+{
+  vtkPolyData* output = filter->GetOutput();
+  if (KeepsCells(filter))
+  {
+    RequireSameMesh(input, output);
+  }
+  RequireFinitePoints(output);
+  RequireFinite(output->GetPointData(), "the point array");
+  RequireFinite(output->GetFieldData(), "the field array");
+  for (int port = 1; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    auto* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(port));
+    Require(table != nullptr, "no table");
+    RequireFinite(table->GetRowData(), "the column");
+  }
+  if (filter->IsA("vtkManifoldHarmonics"))
+  {
+    RequireSpectrum(output);
+  }
+  if (auto* embed = vtkSpectralWatermarkEmbed::SafeDownCast(filter))
+  {
+    RequireReadBack(embed);
+  }
+  if (auto* detect = vtkSpectralWatermarkDetect::SafeDownCast(filter))
+  {
+    RequireVerdict(detect);
+  }
+}
+
+void RequireRefusal(vtkPolyDataAlgorithm* filter, const std::string& errors)
+{
+  Require(!errors.empty(), "an error code without a text");
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    Require(IsEmpty(filter->GetOutputDataObject(port)), "an error, and an output");
+  }
+}
+
+} // namespace
+
+Outcome RunFilterCase(const std::string& name, Bytes& bytes)
+{
+  const auto filter = Filter(name, bytes);
+  std::vector<vtkSmartPointer<vtkPolyData>> inputs{ RandomMesh(bytes) };
+  if (filter->GetNumberOfInputPorts() > 1)
+  {
+    inputs.push_back(Sibling(inputs[0], bytes));
+  }
+  std::vector<vtkSmartPointer<vtkPolyData>> copies;
+  for (std::size_t port = 0; port < inputs.size(); ++port)
+  {
+    copies.push_back(vtkSmartPointer<vtkPolyData>::New());
+    copies.back()->DeepCopy(inputs[port]);
+    filter->SetInputData(static_cast<int>(port), inputs[port]);
+  }
+  Listener listener(filter);
+  filter->Update();
+  Outcome outcome;
+  outcome.Error = listener.Errors;
+  try
+  {
+    for (std::size_t port = 0; port < inputs.size(); ++port)
+    {
+      RequireUnchanged(copies[port], inputs[port]);
+    }
+    if (filter->GetErrorCode() != vtkErrorCode::NoError)
+    {
+      RequireRefusal(filter, listener.Errors);
+    }
+    else
+    {
+      Require(listener.Errors.empty(), "an error without its code: " + listener.Errors);
+      // A distortion is shown on the second.
+      RequireSound(filter, name == "MeshDistortion" ? inputs[1] : inputs[0]);
+    }
+  }
+  catch (const Violation& violation)
+  {
+    outcome.Wrong = "vtk" + name + ": " + violation.what();
+  }
+  return outcome;
+}
+
+} // namespace fuzzing

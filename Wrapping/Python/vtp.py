@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whether a VTP file holds what its XML says: VTK 9.1 crashes on many that do not.
+
+It takes numbers of points, and where arrays are and how long, on trust: it aborts when they ask for more
+memory than there is, and reads beyond the end of what a shorter array holds.
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import re
+import xml.etree.ElementTree as ElementTree
+import zlib
+from dataclasses import dataclass
+
+import numpy as np
+
+NOT_WHOLE = "its binary part is cut off or was copied as text; copy or export it again"
+
+_TYPES = {"Int8": "i1", "UInt8": "u1", "Int16": "i2", "UInt16": "u2", "Int32": "i4", "UInt32": "u4",
+          "Int64": "i8", "UInt64": "u8", "Float32": "f4", "Float64": "f8"}
+_CELLS = ("Verts", "Lines", "Strips", "Polys")
+_ZLIB_RATIO = 1032  # no compressed file holds more bytes for one of its own
+
+
+class Damaged(ValueError):
+    """What does not fit, in words."""
+
+
+@dataclass
+class _File:
+    appended: bytes  # after the _
+    appended_is_text: bool
+    order: str  # < or >
+    header: np.dtype  # of the numbers in front of an array
+    is_compressed: bool
+
+
+def check(data: bytes) -> None:
+    """Raises Damaged."""
+    raw = re.search(rb"<AppendedData[^>]*>\s*(.)", data, re.DOTALL)
+    text = data[:raw.start()] + b"</VTKFile>" if raw else data
+    try:
+        root = ElementTree.fromstring(text)
+    except ElementTree.ParseError as error:
+        raise Damaged(f"its XML cannot be read: {error}") from None
+    if raw and raw[1] != b"_":
+        raise Damaged(NOT_WHOLE)
+    file = _file_of(root, data, raw)
+    for piece in root.iter("Piece"):
+        _check_piece(piece, file, len(data))
+    # Arrays of the whole file say themselves how long they are.
+    for array in root.iterfind(".//FieldData/*"):
+        _check_array(array, _count(array.get("NumberOfTuples", "1"), len(data)), file)
+
+
+def _file_of(root: ElementTree.Element, data: bytes, raw: re.Match | None) -> _File:
+    order = ">" if root.get("byte_order") == "BigEndian" else "<"
+    size = "u8" if root.get("header_type") == "UInt64" else "u4"
+    compressor = root.get("compressor", "")
+    if compressor not in ("", "vtkZLibDataCompressor"):
+        raise Damaged(f"it is compressed by {compressor[:40]}, which is not supported; write it with zlib")
+    is_text = bool(raw) and b'"raw"' not in raw[0] and b"'raw'" not in raw[0]
+    return _File(data[raw.end():] if raw else b"", is_text, order, np.dtype(order + size),
+                 bool(compressor))
+
+
+def _count(text: str, file_size: int) -> int:
+    if not re.fullmatch("[0-9]{1,15}", text) or int(text) > _ZLIB_RATIO * file_size:
+        raise Damaged(f"it names {text[:30]!r} of something, which a file of this size cannot have; copy or "
+                      "export it again")
+    return int(text)
+
+
+def _check_piece(piece: ElementTree.Element, file: _File, file_size: int) -> None:
+    counts = {name: _count(piece.get(f"NumberOf{name}", "0"), file_size)
+              for name in ("Points", *_CELLS)}
+    for section, length in (("PointData", counts["Points"]), ("Points", counts["Points"]),
+                            ("CellData", sum(counts[name] for name in _CELLS))):
+        for array in piece.iterfind(f"{section}/*"):
+            _check_array(array, length, file)
+    for section in _CELLS:
+        arrays = {array.get("Name"): array for array in piece.iterfind(f"{section}/DataArray")}
+        if not arrays and not counts[section]:
+            continue
+        if not {"connectivity", "offsets"} <= arrays.keys():
+            raise Damaged(f"its {section} are incomplete; export it again")
+        _check_cells(arrays, counts[section], file)
+
+
+def _check_cells(arrays: dict, count: int, file: _File) -> None:
+    offsets = _check_array(arrays["offsets"], count, file)
+    ends = offsets.astype(np.int64) if offsets is not None else np.zeros(0, np.int64)
+    if (np.diff(ends, prepend=0) < 0).any():
+        raise Damaged("its cells do not follow each other; copy or export it again")
+    _check_array(arrays["connectivity"], int(ends[-1]) if len(ends) else 0, file)
+
+
+def _check_array(array: ElementTree.Element, tuples: int, file: _File) -> np.ndarray | None:
+    """The array's values, where it has numbers that say how many there must be."""
+    form = array.get("format")
+    wanted = tuples * _count(array.get("NumberOfComponents", "1"), 1 << 20)
+    kind = _TYPES.get(array.get("type"))
+    if form == "ascii":
+        return _check_text(array, wanted, kind)
+    if form == "appended":
+        start = _count(array.get("offset", "-"), len(file.appended) + 1)
+        content = _content(file.appended[start:], file.appended_is_text, file)
+    elif form == "binary":
+        content = _content("".join(array.itertext()).strip().encode(), True, file)
+    else:
+        raise Damaged(f"an array is in the format {str(form)[:20]!r}, which is unknown; export it again")
+    if kind is None:  # text, or bits
+        return None
+    if len(content) != wanted * np.dtype(kind).itemsize:
+        raise Damaged(NOT_WHOLE)
+    return np.frombuffer(content, np.dtype(file.order + kind))
+
+
+def _check_text(array: ElementTree.Element, wanted: int, kind: str | None) -> np.ndarray | None:
+    words = "".join(array.itertext()).split()
+    if kind is None:
+        return None
+    if len(words) < wanted:
+        raise Damaged("an array has fewer numbers than it should; was it cut off? export it again")
+    try:
+        return np.array([float(word) for word in words[:wanted]]).astype(kind)
+    except (ValueError, OverflowError):
+        raise Damaged("an array holds what is no number; export it again") from None
+
+
+def _content(source: bytes, is_text: bool, file: _File) -> bytes:
+    """The bytes of an array whose head is at the front of `source`."""
+    size = file.header.itemsize
+    (count,) = _numbers(source, is_text, 0, 1, file)
+    if not file.is_compressed:
+        return _bytes(source, is_text, 0, size + count)[size:]
+    # The number of blocks, the size of each, of the last (0: as the others), and of each when compressed.
+    if count == 0:
+        return b""
+    head = _numbers(source, is_text, 0, 3 + count, file)
+    block, last, sizes = head[1], head[2], head[3:]
+    lengths = [block] * (count - 1) + [last or block]
+    start = (3 + count) * size
+    if is_text:  # the head is a piece of base64 by itself
+        source, start = source[-(-start // 3) * 4:], 0
+    packed = _bytes(source, is_text, start, sum(sizes))
+    content = b"".join(_inflated(packed, at, packed_size, length) for at, packed_size, length in zip(
+        np.cumsum([0, *sizes]).tolist(), sizes, lengths))
+    return content
+
+
+def _numbers(source: bytes, is_text: bool, start: int, count: int, file: _File) -> list[int]:
+    size = file.header.itemsize
+    if count * size > len(source):
+        raise Damaged(NOT_WHOLE)
+    return np.frombuffer(_bytes(source, is_text, start, count * size), file.header).tolist()
+
+
+def _bytes(source: bytes, is_text: bool, start: int, count: int) -> bytes:
+    end = start + count
+    if not is_text:
+        found = source[start:end]
+    else:
+        try:
+            found = base64.b64decode(source[:-(-end // 3) * 4], validate=True)[start:end]
+        except binascii.Error:
+            raise Damaged(NOT_WHOLE) from None
+    if len(found) != count:
+        raise Damaged(NOT_WHOLE)
+    return found
+
+
+def _inflated(packed: bytes, at: int, packed_size: int, length: int) -> bytes:
+    try:
+        inflating = zlib.decompressobj()
+        block = inflating.decompress(packed[at:at + packed_size], length + 1)
+    except zlib.error:
+        raise Damaged(NOT_WHOLE) from None
+    if len(block) != length:
+        raise Damaged(NOT_WHOLE)
+    return block
