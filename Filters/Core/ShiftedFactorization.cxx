@@ -8,6 +8,8 @@
 
 #include <Eigen/MetisSupport>
 
+#include <mutex>
+
 namespace spectralwatermark
 {
 
@@ -18,8 +20,16 @@ namespace
 
 Eigen::VectorXi NestedDissection(const Eigen::SparseMatrix<double>& pattern)
 {
+  // METIS draws its random numbers from one place for the whole process: calls that overlap would
+  // give each other other numbers, and other orders.
+  static std::mutex oneAtATime;
+  const std::lock_guard<std::mutex> lock(oneAtATime);
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> toOriginal;
   Eigen::MetisOrdering<int>()(pattern, toOriginal);
+  if (toOriginal.size() != pattern.rows())
+  {
+    throw SolverFailure("METIS found no order for the elimination: is there enough memory?");
+  }
   return toOriginal.indices();
 }
 
