@@ -3,7 +3,7 @@
 #
 #   ./test.sh          the quick set: what every change must pass
 #   ./test.sh --full   also: the filters under the sanitizers, clang with warnings as errors,
-#                      clang-tidy, the ParaView plugin, large scans in every mode, and the packages in
+#                      clang-tidy, fuzzing, the ParaView plugin, large scans in every mode, and the packages in
 #                      a clean root
 #
 # Tests on real scans look in SPECTRALWATERMARK_MESH_DIR and skip without it (see CONTRIBUTING.md).
@@ -39,6 +39,10 @@ if [ $full = yes ]; then
   # VTK's singletons outlive main: leaks are looked for in the Core tests only. Whole scans would
   # take hours here, and add no code path.
   ASAN_OPTIONS=detect_leaks=0 ctest --preset asan -j "$jobs" --exclude-regex 'Scans/|RealMeshes'
+  echo "== fuzzing, 20 seconds each"
+  cmake --preset fuzz
+  cmake --build --preset fuzz --target Fuzzers
+  ctest --preset fuzz
   echo "== ParaView plugin"
   Wrapping/ParaView/build.sh
   Wrapping/ParaView/test.sh

@@ -2,6 +2,7 @@
 """Mesh files: marks and attributes come through them, and what is no mesh is said in one line."""
 
 import os
+import re
 import resource
 import signal
 import struct
@@ -746,7 +747,18 @@ for path in sys.argv[1:]:
             ("points", ".vtp"): data.replace(b'Points="10242"', b'Points="99999999999999"'),
             ("negative", ".vtp"): data.replace(b'Points="10242"', b'Points="-5"'),
             ("other", ".vtp"): data.replace(b"PolyData", b"ImageData"),
+            ("lzma", ".vtp"): data.replace(b"vtkZLibDataCompressor", b"vtkLZMADataCompressor"),
+            ("no-offsets", ".vtp"): data.replace(b'Name="offsets"', b'Name="other"'),
+            **{(f"shifted-{shift}", ".vtp"): self.shifted(data, shift) for shift in (-5, -1, 1, 4, 9999)},
+            **{(f"byte-{at}", ".vtp"): data[:at] + bytes([data[at] ^ 0xff]) + data[at + 1:]
+               for at in (data.index(b"_", head) + k for k in (1, 5, 9, 13, 300))},
         })
+
+    @staticmethod
+    def shifted(data, shift):
+        """The file with one of its arrays said to be elsewhere."""
+        last = list(re.finditer(rb'offset="(\d+)"', data))[-1]
+        return data[:last.start(1)] + str(int(last[1]) + shift).encode() + data[last.end(1):]
 
     def test_obj(self):
         two = SQUARE_OBJ.split(b"f")[0]
@@ -761,6 +773,7 @@ for path in sys.argv[1:]:
             "half-the-normals": two + b"vn 0 0 1\nf 1//1 2//1 3//1\nf 1 3 4\n",
             "material": two + b"vt 0 0\nusemtl " + b"m" * 5000 + b"\nf 1/1 2/1 3/1\n",
             "nameless": two + b"usemtl\nf 1 2 3\n",
+            "face-of-two": SQUARE_OBJ + b"f 1 2\n",
             "comma": SQUARE_OBJ.replace(b"0.5", b"0,5"),
             "two-coordinates": SQUARE_OBJ.replace(b"v 1 1 0", b"v 1 1"),
             "two-corners": two + b"f 1 2\n",
