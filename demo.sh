@@ -29,7 +29,7 @@ configure=(cmake --preset release)
 # keeps them.
 [ -f build/CMakeCache.txt ] || configure+=(-DSPECTRALWATERMARK_BUILD_TESTING=OFF)
 run_logged "Configuring" "${configure[@]}"
-run_logged "Building (some minutes the first time)" cmake --build build
+run_logged "Building (3 to 10 minutes the first time; what it says is in $log)" cmake --build build
 
 export PYTHONPATH="$project/build/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}"
 cd "$callers_folder"

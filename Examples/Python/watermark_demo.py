@@ -135,6 +135,8 @@ def run(arguments: argparse.Namespace) -> None:
     for name in OUTPUTS:
         if (demo.output / name).exists():
             print(f"  {name}")
+    if demo.key_file is None:
+        print("\nMarked with the demonstration's key, which everyone knows. To protect a model: --key-file FILE.")
 
 
 # --- Steps -------------------------------------------------------------------------------------

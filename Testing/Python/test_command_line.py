@@ -316,6 +316,12 @@ class BadInputTest(InFolder):
         Path("flat.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n")
         self.fail_with("flat.obj", "volume", of=("embed", "flat.obj", "out.ply", "--message", "1"))
 
+    def test_mistyped_options(self):
+        self.fail_with("did you mean --key-file?", "spectral-watermark embed --help",
+                       of=("embed", "model.ply", "out.ply", "--keyfile", "my.key"))
+        self.fail_with("70 percent of the diagonal would deform the mesh",
+                       of=("embed", "model.ply", "out.ply", "--key-file", "my.key", "--distortion", "70"))
+
 
 class FaultTest(InFolder):
     def test_a_full_disk_leaves_no_file(self):

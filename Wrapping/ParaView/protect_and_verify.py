@@ -68,7 +68,7 @@ def show(original, attack, distortion, verdict):
     layout.AssignView(left + 1, views[1])
     middle = layout.SplitHorizontal(left + 1, 0.5)
     layout.AssignView(middle + 1, views[2])
-    for view, source, caption in ((views[0], original, "original"), (views[1], attack, verdict),
+    for view, source, caption in ((views[0], original, "original"), (views[1], attack, f"a noised copy: {verdict}"),
                                   (views[2], distortion, "how far the protected mesh moved")):
         display = Show(source, view)
         text = Show(Text(registrationName=caption, Text=caption), view)

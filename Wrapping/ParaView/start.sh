@@ -3,6 +3,7 @@
 # leaves out; or pvbatch or pvpython with those modules, where a program loads the plugin itself.
 #
 #   Wrapping/ParaView/start.sh [paraview|pvbatch|pvpython] [ARGUMENTS]
+#   Wrapping/ParaView/start.sh model.ply
 set -euo pipefail
 build=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)/build/paraview
 if [ ! -d "$build/lib/paraview-plugins" ]; then
@@ -17,6 +18,9 @@ case $program in
   pvbatch) exec pvbatch3.11 "$@" ;;
   pvpython) exec "$build/root/usr/bin/pvpython3.11" "$@" ;;
   *)
+    if [ -e "$program" ]; then # a model
+      PV_PLUGIN_PATH="$build/lib/paraview-plugins" exec paraview "$program" "$@"
+    fi
     echo "usage: Wrapping/ParaView/start.sh [paraview|pvbatch|pvpython] [ARGUMENTS]" >&2
     exit 2
     ;;

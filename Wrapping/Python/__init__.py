@@ -14,6 +14,10 @@ The classes are ordinary VTK algorithms and chain with those of vtkmodules:
 """
 
 # The classes that ours derive from must be registered before ours.
-import vtkmodules.vtkCommonExecutionModel  # noqa: F401
+try:
+    import vtkmodules.vtkCommonExecutionModel  # noqa: F401
+except ModuleNotFoundError as error:
+    raise ModuleNotFoundError(f"{error}: VTK's Python modules are Debian's python3-vtk9, which belongs to "
+                              "/usr/bin/python3; run that one") from None
 
 from .vtkFiltersSpectralWatermark import *  # noqa: F401,F403

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import argparse
 import os
+from difflib import get_close_matches
 from typing import NoReturn
 
 from .secret import VARIABLE
@@ -129,7 +130,10 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     if rest and hasattr(parsed, "paths") and not any(each.startswith("-") for each in rest):
         parsed.paths += rest  # files on both sides of an option
     elif rest:
-        parser.error(f"unrecognized arguments: {' '.join(rest)}")
+        known = parsed.parser.format_help().split()
+        meant = get_close_matches(rest[0], {word.strip("[],") for word in known if "--" in word}, 1)
+        parsed.parser.error(f"{rest[0]} is not known here" +
+                            (f": did you mean {meant[0]}?" if meant else ""))
     return parsed
 
 
@@ -172,7 +176,7 @@ def _add_embed(commands) -> None:
     parser.add_argument("--force", action="store_true", help="replace files that are there already")
     _add_message(parser, "to embed")
     _add_scheme(parser)
-    parser.add_argument("--distortion", type=_positive, default=0.07, metavar="PERCENT",
+    parser.add_argument("--distortion", type=_percent, default=0.07, metavar="PERCENT",
                         help="how far the surface may move, in root mean square, of the diagonal "
                              "(default: %(default)s)")
     _add_secret(parser)
@@ -258,7 +262,7 @@ def _add_info(commands) -> None:
     parser.add_argument("--capacity", action="store_true",
                         help="measure how many bits it can hold, up to 1024: the more they are, the longer it "
                              "takes (many minutes where hundreds fit; lower --distortion to see sooner)")
-    parser.add_argument("--distortion", type=_positive, default=0.07, metavar="PERCENT",
+    parser.add_argument("--distortion", type=_percent, default=0.07, metavar="PERCENT",
                         help="for --capacity (default: %(default)s)")
     _add_common(parser)
 
@@ -282,8 +286,10 @@ def _add_report(commands) -> None:
 
 
 def _command(commands, name: str, description: str, **more) -> argparse.ArgumentParser:
-    return commands.add_parser(name, help=COMMANDS[name], description=description,
-                               formatter_class=argparse.RawDescriptionHelpFormatter, **more)
+    parser = commands.add_parser(name, help=COMMANDS[name], description=description,
+                                 formatter_class=argparse.RawDescriptionHelpFormatter, **more)
+    parser.set_defaults(parser=parser)  # whose help errors point to
+    return parser
 
 
 def _add_paths(parser, text: str) -> None:
@@ -373,6 +379,13 @@ def _positive(text: str) -> float:
         value = 0.0
     if not 0.0 < value < float("inf"):
         raise argparse.ArgumentTypeError(f"{text!r} is not a number above 0")
+    return value
+
+
+def _percent(text: str) -> float:
+    value = _positive(text)
+    if value > 5.0:
+        raise argparse.ArgumentTypeError(f"{text} percent of the diagonal would deform the mesh; 0.07 is usual")
     return value
 
 

@@ -33,8 +33,10 @@ def _what_was_read(request: dict, result: dict) -> str:
     if request["scheme"] == "paper":
         return f"reads {result['read']}; the paper's bits have no check: give --message for a p-value"
     if not result["valid"]:
-        without = "" if result["secret"] else " without a secret"
-        return f"no mark found{without}: what was read fails its own check"
+        if result["secret"]:
+            return "no mark found: what was read fails its own check"
+        return (f"no mark found without a secret, of {result['bits']} bits (--bits): one under a secret is found "
+                "only with it, by --key-file")
     return f"reads {result['read']}" + (f", text: {result['text']}" if "text" in result else "")
 
 
