@@ -12,7 +12,9 @@
 #include <vtkSpectralWatermarkEmbed.h>
 
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
+#include <string>
 
 int main(int argc, char* argv[])
 {
@@ -22,6 +24,11 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   const char* keyFile = argv[3];
+  if (std::string(argv[1]) == argv[2])
+  {
+    std::cerr << "the original would be replaced: name another file\n";
+    return EXIT_FAILURE;
+  }
 
   vtkNew<vtkPLYReader> reader;
   reader->SetFileName(argv[1]);
@@ -41,8 +48,9 @@ int main(int argc, char* argv[])
   vtkNew<vtkPLYWriter> writer;
   writer->SetInputConnection(embed->GetOutputPort());
   writer->SetFileName(argv[2]);
-  if (!writer->Write())
+  if (!writer->Write() || !std::ifstream(argv[2]))
   {
+    std::cerr << argv[2] << " could not be written\n";
     return EXIT_FAILURE;
   }
 
@@ -53,6 +61,10 @@ int main(int argc, char* argv[])
   detect->SetSecretKeyFile(keyFile);
   detect->UseDerivedMessageOn();
   detect->Update();
+  if (detect->GetErrorCode() != 0)
+  {
+    return EXIT_FAILURE; // no verdict: VTK said why
+  }
 
   vtkNew<vtkMeshDistortion> distortion;
   distortion->SetInputConnection(0, reader->GetOutputPort());

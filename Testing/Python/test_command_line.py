@@ -93,6 +93,11 @@ class StoryTest(InFolder):
         self.assertEqual(unmarked.returncode, NOT_FOUND)
         self.assertIn("no mark found without a secret", unmarked.stdout)
 
+    def test_the_file_does_not_tell_that_it_is_marked(self):
+        self.succeed("embed", "model.ply", "marked.vtp", "--key-file", "my.key")
+        self.assertEqual(json.loads(self.succeed("info", "marked.vtp", "--json"))["arrays"],
+                         json.loads(self.succeed("info", "model.ply", "--json"))["arrays"])
+
     def test_message_under_a_key_can_be_read(self):
         self.succeed("embed", "model.ply", "marked.vtp", "--key-file", "my.key", "--message", "110010111")
         said = self.succeed("detect", "marked.vtp", "--key-file", "my.key", "--read", "--bits", 9)

@@ -79,7 +79,9 @@ def _embed(request: dict, show: Show) -> dict:
     if not embed.GetConverged():
         raise FilterError("the mark could not be embedded so that it is read back; nothing was written. "
                           "Try fewer bits or more --distortion")
-    write_mesh(embed.GetOutput(), request["output"], request["force"])
+    marked = embed.GetOutput()
+    marked.GetPointData().RemoveArray("GeometricDistortion")  # would tell everyone that there is a mark, and where
+    write_mesh(marked, request["output"], request["force"])
     result = {"output": request["output"], "scheme": request["scheme"], "secret": _has_secret(request),
               "bits": len(embed.GetExtractedMessage()), "seconds": round(seconds, 3)}
     if request["scheme"] == "robust":
