@@ -560,6 +560,10 @@ Band BlockLanczos::FindNearest(BandRequest request, const Progress& progress)
 Band BlockLanczos::Polished(const KrylovSpace& space, const RitzPairs& ritz,
   const std::vector<Index>& kept, const Progress& progress) const
 {
+  if (kept.empty())
+  {
+    return { {}, {}, true };
+  }
   const auto count = static_cast<Index>(kept.size());
   Eigen::MatrixXd coefficients(space.Size(), count);
   for (Index i = 0; i < count; ++i)
