@@ -8,6 +8,10 @@
 # installed or removed for it.
 set -euo pipefail
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+if [ $# -gt 0 ]; then
+  echo "usage: Wrapping/ParaView/build.sh" >&2
+  exit 2
+fi
 source "$project/dependencies.sh"
 install_missing "${BUILD_PACKAGES[@]}" "${PARAVIEW_PACKAGES[@]}"
 
@@ -20,7 +24,7 @@ if [ ! -f "$root/.complete" ]; then
   rm -rf "$root"
   mkdir -p "$root"
   package=$(mktemp -d)
-  (cd "$package" && apt-get -q download python3-paraview)
+  (cd "$package" && apt-get -q -o APT::Sandbox::User=root download python3-paraview)
   dpkg -x "$package"/python3-paraview_*.deb "$root"
   rm -r "$package"
   # Paths inside the CMake files are relative to where they lie: they are copied, all else is linked.
