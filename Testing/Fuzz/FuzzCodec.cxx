@@ -7,26 +7,15 @@
 #include "Core/SecretKey.h"
 #include "Core/SolidWatermark.h"
 #include "Fuzz/Bytes.h"
+#include "Fuzz/Require.h"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <map>
-#include <memory>
 
 namespace sw = spectralwatermark;
+using fuzzing::Require;
 
 namespace
 {
-
-void Require(bool holds, const char* what)
-{
-  if (!holds)
-  {
-    std::fprintf(stderr, "%s\n", what);
-    std::abort();
-  }
-}
 
 bool IsBits(const std::string& text)
 {

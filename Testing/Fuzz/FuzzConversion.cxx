@@ -2,27 +2,17 @@
 // Any vtkPolyData into a mesh of the Core, and back.
 #include "Core/Errors.h"
 #include "Fuzz/RandomMesh.h"
+#include "Fuzz/Require.h"
 #include "Private/PolyDataMesh.h"
 
 #include <vtkOutputWindow.h>
 #include <vtkPolyData.h>
 
-#include <cstdio>
-#include <cstdlib>
-
 namespace sw = spectralwatermark;
+using fuzzing::Require;
 
 namespace
 {
-
-void Require(bool holds, const char* what)
-{
-  if (!holds)
-  {
-    std::fprintf(stderr, "%s\n", what);
-    std::abort();
-  }
-}
 
 void Check(const sw::PolyDataMesh& mesh, vtkPolyData* input)
 {
