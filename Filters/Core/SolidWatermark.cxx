@@ -46,11 +46,11 @@ constexpr double StepRatio = 1.0905077326652577; // 2^(1/8)
 // Of a carrier, in steps: embedded well enough.
 constexpr double GoodError = 0.005;
 constexpr int MostRounds = 12;
+constexpr int MostAttempts = 4;
 
 // Rounds reuse the response of the original mesh, which is most of the work, as long as each leaves
 // no more of the error than this.
 constexpr double SlowRound = 0.2;
-constexpr int MostAttempts = 4;
 
 // Parts of the budget that the plan may use: what is measured differs a little.
 constexpr double PlannedPart = 0.97;
@@ -348,7 +348,8 @@ SolidEmbeddingResult Embedding::Run(const Plan& plan, const SolidEmbeddingOption
   for (int round = 0; round <= MostRounds; ++round)
   {
     const View view(mesh);
-    const VectorXd changes = plan.Targets - this->Spectrum(view);
+    const VectorXd changes =
+      plan.Targets - (round == 0 ? this->Content.Values : this->Spectrum(view));
     const double error = changes.cwiseAbs().maxCoeff() / result.Step;
     result.Rounds.push_back(
       { RootMeanSquare(this->Original, mesh.Points) / this->Diagonal, error });

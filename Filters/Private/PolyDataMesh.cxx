@@ -47,8 +47,9 @@ constexpr const char* NoSurface = "no polygon has three distinct points: there i
 constexpr double SmallestSize = 1e-50;
 constexpr double LargestCoordinate = 1e50;
 
-// Before anything of VTK goes by these numbers.
-void CheckCorners(vtkCellArray* cells, vtkIdType pointCount)
+// visit(size, corners) for each cell.
+template <typename Visit>
+void ForEachCell(vtkCellArray* cells, const Visit& visit)
 {
   const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
   for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
@@ -56,32 +57,39 @@ void CheckCorners(vtkCellArray* cells, vtkIdType pointCount)
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
     iterator->GetCurrentCell(size, corners);
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      if (corners[i] < 0 || corners[i] >= pointCount)
-      {
-        throw InvalidInput("a cell uses point " + std::to_string(corners[i]) + ", but there are " +
-          std::to_string(pointCount) + " points: the mesh is damaged");
-      }
-    }
+    visit(size, corners);
   }
+}
+
+// Before anything of VTK goes by these numbers.
+void CheckCorners(vtkCellArray* cells, vtkIdType pointCount)
+{
+  ForEachCell(cells,
+    [pointCount](vtkIdType size, const vtkIdType* corners)
+    {
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        if (corners[i] < 0 || corners[i] >= pointCount)
+        {
+          throw InvalidInput("a cell uses point " + std::to_string(corners[i]) +
+            ", but there are " + std::to_string(pointCount) + " points: the mesh is damaged");
+        }
+      }
+    });
 }
 
 // Without the cells that are no surface, which vtkTriangleFilter crashes on.
 vtkSmartPointer<vtkCellArray> WithThreeCorners(vtkCellArray* cells)
 {
   auto kept = vtkSmartPointer<vtkCellArray>::New();
-  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    iterator->GetCurrentCell(size, corners);
-    if (size >= 3)
+  ForEachCell(cells,
+    [&kept](vtkIdType size, const vtkIdType* corners)
     {
-      kept->InsertNextCell(size, corners);
-    }
-  }
+      if (size >= 3)
+      {
+        kept->InsertNextCell(size, corners);
+      }
+    });
   return kept;
 }
 
@@ -110,17 +118,14 @@ std::vector<Triangle> TrianglesOf(vtkCellArray* cells)
 {
   std::vector<Triangle> triangles;
   triangles.reserve(static_cast<std::size_t>(cells->GetNumberOfCells()));
-  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    iterator->GetCurrentCell(size, corners);
-    if (size == 3)
+  ForEachCell(cells,
+    [&triangles](vtkIdType size, const vtkIdType* corners)
     {
-      triangles.push_back({ corners[0], corners[1], corners[2] });
-    }
-  }
+      if (size == 3)
+      {
+        triangles.push_back({ corners[0], corners[1], corners[2] });
+      }
+    });
   return triangles;
 }
 
