@@ -258,11 +258,6 @@ class BadInputTest(InFolder):
         self.fail_with("spectrum to .csv", of=("harmonics", "model.ply", "out.ply"))
         self.fail_with("this is a folder", of=("embed", "model.ply", "/tmp", *key))
 
-    @unittest.skipIf(os.geteuid() == 0, "root may write anywhere")
-    def test_folder_without_permission(self):
-        Path("locked").mkdir(mode=0o500)
-        self.fail_with("no permission", of=("attack", "model.ply", "locked/out.ply", "--noise", 1))
-
     def test_secrets_and_messages(self):
         self.fail_with("nothing to embed", of=("embed", "model.ply", "out.ply"))
         self.fail_with("cannot be read", of=("embed", "model.ply", "out.ply", "--key-file", "no.key"))
@@ -302,6 +297,18 @@ class BadInputTest(InFolder):
     def test_no_key_forgets_the_environment(self):
         self.succeed("embed", "model.ply", "out.ply", "--message", "1011", "--no-key", secret="a secret")
         self.assertIn("reads 1011", self.succeed("detect", "out.ply", "--bits", 4))
+
+    def test_values_that_no_option_takes(self):
+        for text, *arguments in (
+                ("the text is empty", "embed", "model.ply", "out.ply", "--text", ""),
+                ("'x' is not a number above 0", "embed", "model.ply", "out.ply", "--distortion", "x"),
+                ("'0' is not a number from 1 on", "harmonics", "model.ply", "out.vtp", "--number", "0"),
+                ("'1.5' is not a whole number", "attack", "model.ply", "out.ply", "--seed", "1.5"),
+                ("'2' is not above 0 and up to 1", "detect", "model.ply", "--false-positive-rate", "2"),
+                ("name it .html", "report", "model.ply", "marked.ply", "page.pdf", "--key-file", "my.key"),
+                ("are given together", "detect", "model.ply", "--no-key", "--key-file", "my.key")):
+            with self.subTest(text):
+                self.fail_with(text, of=arguments)
 
     def test_options(self):
         self.fail_with("--help", of=())
@@ -415,7 +422,7 @@ class FaultTest(InFolder):
 
 
 class TerminalTest(InFolder):
-    def on_a_terminal(self, *arguments, typed=b""):
+    def on_a_terminal(self, *arguments, typed=b"", again=b""):
         """What a person sees, and the exit code."""
         pid, terminal = pty.fork()
         if pid == 0:
@@ -435,6 +442,7 @@ class TerminalTest(InFolder):
                 break
             if part.rstrip().endswith(b":") and typed:
                 os.write(terminal, typed)
+                typed = again or typed
         _, status = os.waitpid(pid, 0)
         return seen.decode(), os.waitstatus_to_exitcode(status)
 
@@ -448,6 +456,15 @@ class TerminalTest(InFolder):
         self.assertIn("left", seen)
         self.assertNotIn("a secret for the test", seen)
         self.assertIn("mine", self.succeed("detect", "marked.ply", "--key-file", "my.key"))
+
+
+    def test_prompts_that_lead_nowhere(self):
+        for typed, text in ((b"\n", "no secret was typed"), (b"one\n", "the two differ: nothing was done")):
+            seen, code = self.on_a_terminal("embed", "model.ply", "marked.ply", "--ask-key", typed=typed,
+                                            again=b"another\n")
+            self.assertEqual(code, ERROR, seen)
+            self.assertIn(text, seen)
+            self.assertFalse(Path("marked.ply").exists())
 
 
 class HelpTest(unittest.TestCase):

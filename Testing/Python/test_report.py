@@ -56,10 +56,10 @@ class ReportTest(unittest.TestCase):
         cls.page = Page(cls.text)
 
     @classmethod
-    def run_program(cls, *arguments):
+    def run_program(cls, *arguments, check=True, **variables):
         environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
         return subprocess.run([sys.executable, PROGRAM, *map(str, arguments)], cwd=cls.folder,
-                              env=environment, capture_output=True, text=True, check=True)
+                              env=environment | variables, capture_output=True, text=True, check=check)
 
     def test_opens_without_any_other_file(self):
         self.assertGreaterEqual(len(self.page.sources), 4)
@@ -80,6 +80,19 @@ class ReportTest(unittest.TestCase):
     def test_escapes_and_keeps_the_secret(self):
         self.assertIn("<h1>A &lt;stone&gt;</h1>", self.text)
         self.assertNotIn("a secret for the test", self.text)
+
+    def test_nothing_to_draw_on(self):
+        tools = self.folder / "tools"
+        tools.mkdir()
+        broken = tools / "Xvfb"
+        for text in ("it needs a display, or a virtual one", "the virtual display (Xvfb) did not start"):
+            done = self.run_program("report", "model.ply", "marked.ply", "other.html", "--key-file", "my.key",
+                                    "--bits", 16, check=False, PATH=str(tools))
+            self.assertEqual((done.returncode, done.stdout), (2, ""), done)
+            self.assertIn(text, done.stderr)
+            self.assertFalse((self.folder / "other.html").exists())
+            broken.write_text("#!/bin/sh\nexit 1\n")
+            broken.chmod(0o755)
 
     @unittest.skipUnless(CHROMIUM, "chromium is not installed")
     def test_a_browser_shows_every_picture(self):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The Python face of every class: constructors, properties, enumerations, documentation."""
 
+import subprocess
+import sys
 import unittest
 
 import spectralwatermark
@@ -73,6 +75,12 @@ class WrappingTest(unittest.TestCase):
 
     def test_print_names_properties(self):
         self.assertIn("TurbulenceFactor: 1", str(vtkSpectralWatermarkEmbed()))
+
+    def test_a_python_without_vtk_says_which_one_has_it(self):
+        done = subprocess.run([sys.executable, "-c", "import sys; sys.modules['vtkmodules'] = None; "
+                               "import spectralwatermark"], capture_output=True, text=True, check=False)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("belongs to /usr/bin/python3; run that one", done.stderr.splitlines()[-1])
 
 
 if __name__ == "__main__":

@@ -107,8 +107,8 @@ def read_mesh(path: str | os.PathLike) -> vtkPolyData:
 def write_mesh(mesh: vtkPolyData, path: str | os.PathLike, replace: bool = True) -> None:
     """Writes a PLY, OBJ, STL or VTP file, whole or not at all; raises MeshFileError.
 
-    A file that is there already keeps its permissions, and stays as it is when writing fails, or when it
-    is not to be replaced.
+    A file that is there already keeps its permissions, and stays as it is when writing fails, when it is
+    read-only, or when it is not to be replaced.
     """
     path = Path(path)
     check_writable(path)
@@ -159,6 +159,8 @@ def check_writable(path: str | os.PathLike) -> None:
         raise MeshFileError(f"{path}: there is no folder {path.parent}; make it first")
     if not os.access(folder, os.W_OK | os.X_OK):
         raise MeshFileError(f"{path}: cannot be written: no permission to write into {path.parent}")
+    if path.exists() and not os.access(path, os.W_OK):
+        raise MeshFileError(f"{path}: is not replaced: it is read-only")
 
 
 def stores_float(path: str | os.PathLike) -> bool:
@@ -734,6 +736,11 @@ def _write_stl(mesh: vtkPolyData, path: Path) -> None:
     writer.SetFileTypeToBinary()
     _run_writer(writer, _surface(mesh), path)
     _expect_whole(path, _check_stl)
+    record = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+    a, b, c = np.frombuffer(path.read_bytes(), record, offset=84)["corners"].swapaxes(0, 1)
+    if not ((a != b).any(axis=1) & (b != c).any(axis=1) & (c != a).any(axis=1)).any():
+        raise MeshFileError("in every triangle two corners have the same coordinates, and a reader "
+                            "of STL leaves such triangles out; use another format, or scale it up")
 
 
 # --- VTP ---------------------------------------------------------------------------------------

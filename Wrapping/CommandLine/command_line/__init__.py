@@ -42,6 +42,8 @@ def main(arguments: list[str] | None = None) -> int:
         terminal.forget_output()
     except Exception as error:  # noqa: BLE001 - a traceback would end with the code of "not found"
         terminal.say_error(f"{type(error).__name__}: {error}; please report this")
+    finally:
+        terminal.stop_listening()
     return ERROR
 
 

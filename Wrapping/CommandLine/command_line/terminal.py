@@ -190,6 +190,13 @@ def end_with_parent() -> None:
     ctypes.CDLL(None).prctl(set_parent_death_signal, signal.SIGTERM)
 
 
+def stop_listening() -> None:
+    """At the end, once stopped: the interpreter gives up its handlers, and would die of another signal."""
+    if stopped():
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            signal.signal(number, signal.SIG_IGN)
+
+
 def stopped() -> bool:
     return _times_stopped > 0
 
