@@ -34,7 +34,8 @@
  *
  * Errors (vtkErrorMacro, an error code, empty outputs): no points, no polygons, coordinates
  * that are not finite, no area, fewer vertices than harmonics asked for, a solver that does not
- * reach the tolerance, the dense solver on more than 10,000 vertices, a piece of a distributed mesh.
+ * reach the tolerance, the dense solver on more than 10,000 vertices, less memory than it would take, a
+ * piece of a distributed mesh.
  *
  * @code{.cpp}
  * vtkNew<vtkManifoldHarmonics> harmonics;

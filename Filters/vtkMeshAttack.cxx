@@ -4,6 +4,7 @@
 #include "Core/Attacks.h"
 #include "Core/Errors.h"
 #include "Core/ManifoldHarmonics.h"
+#include "Core/MemoryLimit.h"
 #include "Core/Noise.h"
 #include "Private/FilterRun.h"
 #include "Private/HarmonicsArrays.h"
@@ -85,8 +86,19 @@ void Rotate(vtkTransform* transform, vtkMeshAttack* attack)
   transform->RotateWXYZ(attack->GetRotationAngle(), axis);
 }
 
+void RequireMemoryToSubdivide(sw::Index triangles, vtkMeshAttack* attack)
+{
+  constexpr double bytesOfTriangle = 165.0; // at the peak: 128 to 161 were measured
+  const double parts = attack->GetSubdivisionType() == vtkMeshAttack::Sqrt3 ? 3.0 : 4.0;
+  const double count =
+    static_cast<double>(triangles) * std::pow(parts, attack->GetNumberOfSubdivisions());
+  sw::RequireMemory(bytesOfTriangle * count,
+    std::to_string(static_cast<sw::Index>(count)) + " triangles", "lower NumberOfSubdivisions");
+}
+
 sw::TriangleMesh Subdivided(const sw::TriangleMesh& mesh, vtkMeshAttack* attack)
 {
+  RequireMemoryToSubdivide(mesh.NumberOfTriangles(), attack);
   switch (attack->GetSubdivisionType())
   {
     case vtkMeshAttack::Midpoint:

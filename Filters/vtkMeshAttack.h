@@ -36,7 +36,7 @@
  * Errors (vtkErrorMacro, an error code, an empty output): as for vtkManifoldHarmonics; an unknown
  * attack or method; an axis of length 0; parameters that are not finite; more harmonics than
  * vertices; an isosurface of a surface that is not closed; a surface that Loop's rule cannot
- * divide; an attack that leaves no triangle.
+ * divide; an attack that leaves no triangle, or makes more of them than memory holds.
  *
  * @sa
  * vtkSpectralWatermarkDetect vtkMeshDistortion

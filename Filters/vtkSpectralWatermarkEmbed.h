@@ -37,7 +37,7 @@
  *
  * Errors (vtkErrorMacro, an error code, empty outputs): as for vtkManifoldHarmonics; an empty
  * message without a secret key, or one with characters other than 0 and 1; a key file that cannot
- * be used; more bits than the mesh can carry, or than MaximumDistortion allows; slots that contradict
+ * be used; more bits than the mesh can carry, or than MaximumDistortion or memory allows; slots that contradict
  * each other or reach into the constant harmonics; with Robust, a surface that encloses no volume.
  *
  * @code{.cpp}

@@ -3,7 +3,7 @@
 #ifndef SpectralWatermark_Core_FrameAlignment_h
 #define SpectralWatermark_Core_FrameAlignment_h
 
-#include "SolidWatermark.h"
+#include "SolidCarriers.h"
 
 namespace spectralwatermark
 {

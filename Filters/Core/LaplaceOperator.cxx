@@ -225,24 +225,24 @@ SparseMatrix Diagonal(const Eigen::VectorXd& diagonal)
   return matrix;
 }
 
-void CheckSize(const TriangleMesh& mesh)
+} // namespace
+
+void CheckMatrixSize(Index vertices, Index triangles)
 {
   // 12 triplets a triangle, indexed by Eigen's int.
-  if (mesh.NumberOfTriangles() > std::numeric_limits<int>::max() / 12 ||
-    mesh.NumberOfVertices() > std::numeric_limits<int>::max() / 12)
+  constexpr Index most = std::numeric_limits<int>::max() / 12;
+  if (std::max(vertices, triangles) > most)
   {
-    throw InvalidInput("the mesh has over 178 million triangles or points, more than the matrices "
-                       "can index: simplify it first");
+    throw InvalidInput("the mesh has over " + std::to_string(most) +
+      " triangles or points, more than the matrices can index: simplify it first");
   }
 }
 
-} // namespace
-
 LaplaceOperator AssembleLaplaceOperator(const TriangleMesh& mesh, MassMatrix kind)
 {
-  CheckSize(mesh);
   const Index n = mesh.NumberOfVertices();
   const Index triangleCount = mesh.NumberOfTriangles();
+  CheckMatrixSize(n, triangleCount);
 
   std::vector<TriangleElement> elements;
   elements.reserve(static_cast<std::size_t>(triangleCount));

@@ -37,7 +37,12 @@ struct LaplaceOperator
   Index Rank = 0;             ///< number of finite eigenvalues: vertices that have mass
 };
 
-/// Assembles the operator. Throws InvalidInput when the mesh has no area at all.
+/// Throws InvalidInput when a mesh of that size has larger matrices than Eigen's indices of 32 bits allow:
+/// 178,956,970 triangles or vertices. What is made from them, factors and harmonics, is counted in 64.
+void CheckMatrixSize(Index vertices, Index triangles);
+
+/// Assembles the operator. Throws InvalidInput when the mesh has no area at all, or CheckMatrixSize()
+/// does.
 LaplaceOperator AssembleLaplaceOperator(const TriangleMesh& mesh, MassMatrix kind);
 
 /// ||S h - lambda M h|| / ((lambda + 1 / area) ||M h||) for every column h of `vectors`: the

@@ -52,9 +52,9 @@ struct ManifoldHarmonics
 /// Computes the basis. The sign is such that each harmonic's entry of largest magnitude is
 /// positive (the first of them, when several agree to 1e-6); the constant is positive.
 ///
-/// Throws InvalidInput when the mesh cannot carry that many harmonics or is too large for the
-/// solver asked for, SolverFailure when they
-/// do not converge to the tolerance or cannot be shown to be complete, Aborted.
+/// Throws InvalidInput when the mesh cannot carry that many harmonics, is too large for the solver asked
+/// for or for the memory there is, SolverFailure when they do not converge to the tolerance or cannot be
+/// shown to be complete, Aborted.
 ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
   const HarmonicsOptions& options, const Progress& progress = Progress());
 

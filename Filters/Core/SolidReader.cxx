@@ -187,11 +187,17 @@ void Reader::AlignFrames(const Progress& progress)
 
 } // namespace
 
+SolidReading ReadCarriers(const TriangleMesh& mesh, const Carriers& carriers, int threads,
+  const Progress& progress)
+{
+  return Reader(mesh, carriers, threads).Run(progress);
+}
+
 SolidReading ReadSolid(const TriangleMesh& mesh, const SecretKey& key, Index messageBits,
   int threads, const Progress& progress)
 {
   const Carriers carriers = CarriersOf(key, messageBits);
-  SolidReading reading = Reader(mesh, carriers, threads).Run(progress);
+  SolidReading reading = ReadCarriers(mesh, carriers, threads, progress);
   reading.Message = reading.Data.substr(0, static_cast<std::size_t>(messageBits));
   reading.IsValid = reading.Data == DataOf(reading.Message, key, carriers);
   return reading;

@@ -11,7 +11,8 @@
 #ifndef SpectralWatermark_Core_SolidReader_h
 #define SpectralWatermark_Core_SolidReader_h
 
-#include "SolidWatermark.h"
+#include "Progress.h"
+#include "SolidCarriers.h"
 
 namespace spectralwatermark
 {
@@ -36,7 +37,12 @@ struct SolidReading
   bool IsValid = false; ///< the check holds
 };
 
-/// Throws InvalidInput for a mesh that has no frame.
+/// Without a look at the check: of nothing but the carriers. Throws InvalidInput for a mesh that has no
+/// frame.
+SolidReading ReadCarriers(const TriangleMesh& mesh, const Carriers& carriers, int threads,
+  const Progress& progress);
+
+/// The same under a key, with the message and whether its check holds.
 SolidReading ReadSolid(const TriangleMesh& mesh, const SecretKey& key, Index messageBits,
   int threads, const Progress& progress);
 

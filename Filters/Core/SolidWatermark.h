@@ -17,7 +17,7 @@
 #define SpectralWatermark_Core_SolidWatermark_h
 
 #include "Progress.h"
-#include "SecretKey.h"
+#include "SolidCarriers.h"
 #include "TriangleMesh.h"
 
 #include <string>
@@ -25,34 +25,6 @@
 
 namespace spectralwatermark
 {
-
-/// What a secret and a number of bits decide.
-struct Carriers
-{
-  Eigen::MatrixXd Waves;  ///< wave vectors, a row each, in 1 / scale of the frame
-  Eigen::VectorXd Dither; ///< of each carrier, in [0, 1) steps
-  std::string Whitening;  ///< of each carrier, 0 or 1
-  Index MessageBits = 0;
-  Index CheckBits = 0;
-
-  Index Count() const { return this->Dither.size(); }
-};
-
-/// For messages of 1 to LargestMessage bits. Throws InvalidInput for others.
-Carriers CarriersOf(const SecretKey& key, Index messageBits);
-constexpr Index LargestMessage = 1024;
-
-/// The message and its check: what the code protects.
-std::string DataOf(const std::string& message, const SecretKey& key, const Carriers& carriers);
-
-/// What the carriers hold for data, 12 bits of it a word. Bit i of word b sits in carrier i * words + b,
-/// so that what happens to some waves is spread over all words.
-std::string CodeOf(const std::string& data);
-
-/// Steps that carriers are quantised with, in units of (scale of the frame)^3: a geometric series,
-/// so that a reader can try them all.
-constexpr int NumberOfSteps = 80;
-double StepOfNumber(int number);
 
 struct SolidEmbeddingOptions
 {
@@ -80,12 +52,13 @@ struct SolidEmbeddingResult
   bool Converged = false;       ///< and it is the message, and its check holds
 };
 
-/// Throws InvalidInput when the message does not fit the budget; says what would.
+/// Throws InvalidInput when the message does not fit the budget (it says what would) or the work does
+/// not fit into memory.
 SolidEmbeddingResult EmbedInSolid(const TriangleMesh& mesh, const SecretKey& key,
   const SolidEmbeddingOptions& options, const Progress& progress);
 
-/// How many bits EmbedInSolid() takes at least, up to LargestMessage; 0 when a message may not fit at
-/// all. Some are left for what a message costs more or less than another. So many are embedded with the
+/// How many bits EmbedInSolid() takes at least, in the memory that there is, up to LargestMessage; 0 when
+/// a message may not fit at all. Some are left for what a message costs more or less than another. So many are embedded with the
 /// smallest step and survive little. Takes as long as several embeddings, of up to that many bits.
 Index CapacityOf(const TriangleMesh& mesh, const SecretKey& key, double maximumDistortion,
   int threads, const Progress& progress);

@@ -4,6 +4,7 @@
 #define SpectralWatermark_Private_CarrierTable_h
 
 #include "Core/SolidReader.h"
+#include "Core/SolidWatermark.h"
 
 class vtkTable;
 

@@ -2,6 +2,7 @@
 #include "SurfaceResampling.h"
 
 #include "Core/Errors.h"
+#include "Core/MemoryLimit.h"
 #include "Core/Solid.h"
 #include "FilterRun.h"
 #include "PolyDataMesh.h"
@@ -29,11 +30,26 @@ namespace spectralwatermark
 namespace
 {
 
+// Of uniform remeshing at its peak: 3,000 to 4,000 were measured.
+constexpr double BytesOfVertex = 4000.0;
+
 bool IsClosed(const TriangleMesh& mesh)
 {
   const std::map<Edge, std::vector<Index>> triangles = TrianglesOfEdges(mesh);
   return std::all_of(triangles.begin(), triangles.end(),
     [](const auto& edge) { return edge.second.size() == 2; });
+}
+
+// Of the grid and of the triangles, of which there are about two and a half for each square of its
+// steps.
+double MemoryOfIsosurface(const TriangleMesh& mesh, int resolution)
+{
+  constexpr double bytesOfNode = 6.0;
+  constexpr double bytesOfSquare = 1000.0;
+  const Eigen::Array3d size = mesh.Points.colwise().maxCoeff() - mesh.Points.colwise().minCoeff();
+  const double step = size.maxCoeff() / resolution;
+  return bytesOfNode * (size / step + 7.0).prod() +
+    bytesOfSquare * VertexAreas(mesh).sum() / (step * step);
 }
 
 vtkSmartPointer<vtkPolyData> Cluster(vtkPolyData* fine, double step)
@@ -81,6 +97,8 @@ TriangleMesh Subdivide(const TriangleMesh& mesh, Subdivision kind, int times, vt
 
 TriangleMesh ResampleUniformly(const TriangleMesh& mesh, Index count, vtkAlgorithm* filter)
 {
+  RequireMemory(BytesOfVertex * static_cast<double>(count), std::to_string(count) + " vertices",
+    "lower RemeshingPercent");
   // A surface passes through about so many cells per area of a cell's side.
   double step = std::sqrt(1.5 * VertexAreas(mesh).sum() / static_cast<double>(count));
   vtkNew<vtkAdaptiveSubdivisionFilter> split;
@@ -117,6 +135,8 @@ TriangleMesh ResampleByIsosurface(const TriangleMesh& mesh, int resolution, vtkA
       "an isosurface of the distance needs a closed surface, with an inside: close "
       "the holes (vtkFillHolesFilter), or use the uniform remeshing");
   }
+  RequireMemory(MemoryOfIsosurface(mesh, resolution),
+    std::to_string(resolution) + " steps along the longest side", "lower IsosurfaceResolution");
   vtkNew<vtkFlyingEdges3D> contour;
   contour->SetInputData(
     SignedDistances(Oriented(mesh), resolution, ProgressOf(filter).Part(0.1, 0.9)));

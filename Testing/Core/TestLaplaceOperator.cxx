@@ -151,6 +151,14 @@ TEST(LaplaceOperator, MeshWithoutAreaIsRefused)
   EXPECT_THROW(AssembleLaplaceOperator(mesh, MassMatrix::Lumped), InvalidInput);
 }
 
+TEST(LaplaceOperator, MeshesThatMatricesCannotIndexAreRefused)
+{
+  const Index most = 178956970; // 12 entries of each triangle are counted in an int
+  EXPECT_NO_THROW(CheckMatrixSize(most, most));
+  EXPECT_THROW(CheckMatrixSize(most / 2, most + 1), InvalidInput);
+  EXPECT_THROW(CheckMatrixSize(Index{ 1 } << 33, 2), InvalidInput);
+}
+
 TEST(LaplaceOperator, SphereAreaConvergesQuadratically)
 {
   const double coarse =

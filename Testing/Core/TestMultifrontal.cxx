@@ -275,3 +275,22 @@ TEST(MultifrontalFactors, SayWhenAPivotIsZeroOrNotANumber)
   }
   EXPECT_TRUE(factors.Factorize(matrix, 2));
 }
+
+// The first column meets all: L is full. Nothing of its size is allocated before a factorisation.
+TEST(Supernodes, CountMoreEntriesThanAnIntHolds)
+{
+  constexpr int size = 47000;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int j = 0; j < size; ++j)
+  {
+    entries.emplace_back(j, j, 1.0);
+    entries.emplace_back(0, j, 1.0);
+    entries.emplace_back(j, 0, 1.0);
+  }
+  SparseMatrix pattern(size, size);
+  pattern.setFromTriplets(entries.begin(), entries.end());
+  const SupernodeTree tree = FindSupernodes(pattern);
+  ASSERT_EQ(tree.Nodes.size(), 1U);
+  EXPECT_EQ(tree.Entries, std::size_t{ size } * std::size_t{ size });
+  EXPECT_GT(tree.Entries, std::size_t{ std::numeric_limits<int>::max() });
+}

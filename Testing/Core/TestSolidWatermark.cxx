@@ -5,6 +5,7 @@
 #include "Core/FrameAlignment.h"
 #include "Core/Solid.h"
 #include "Core/SolidReader.h"
+#include "Core/SolidWatermark.h"
 #include "Support/Shapes.h"
 
 #include <Eigen/Geometry>
@@ -296,54 +297,72 @@ TEST(FrameAlignment, ResponseIsTheDerivative)
   }
 }
 
-// What a mesh without the mark reads is uniform over all data, whatever was tried to read it: the bits
-// that agree with what is expected are binomial, and P(p <= alpha) <= alpha.
-TEST(SolidReader, UnmarkedMeshesAgreeBinomially)
+namespace
 {
-  constexpr int keys = 12;
-  constexpr int messagesOfAKey = 100;
-  const TriangleMesh mesh = Host(1);
-  constexpr int bits = 24; // of data, with a message of 4
-  std::vector<double> counts(bits + 1, 0.0);
-  int below = 0;
-  for (int k = 0; k < keys; ++k)
+
+std::string Exclusive(std::string a, const std::string& b)
+{
+  for (std::size_t i = 0; i < a.size(); ++i)
   {
-    const SecretKey key("trial " + std::to_string(k));
-    const SolidReading reading = ReadSolid(mesh, key, 4, 2, Progress());
-    ASSERT_EQ(reading.Data.size(), static_cast<std::size_t>(bits));
-    const std::string expected =
-      SecretKey("message " + std::to_string(k)).Message(messagesOfAKey * bits);
-    for (int m = 0; m < messagesOfAKey; ++m)
-    {
-      const std::string data = expected.substr(static_cast<std::size_t>(m * bits), bits);
-      ++counts[static_cast<std::size_t>(CountAgreements(reading.Data, data))];
-      below += PValueOf(reading, data) <= 0.05 ? 1 : 0;
-    }
+    a[i] = a[i] == b[i] ? '0' : '1';
   }
-  constexpr int trials = keys * messagesOfAKey;
-  double chance = std::pow(0.5, bits);
-  double chiSquare = 0.0;
-  double rest = trials;
-  double restSeen = trials;
-  int cells = 0;
-  for (int agreements = 0; agreements <= bits; ++agreements)
-  {
-    const double mean = trials * chance;
-    if (mean >= 5.0)
-    {
-      const double seen = counts[static_cast<std::size_t>(agreements)];
-      chiSquare += (seen - mean) * (seen - mean) / mean;
-      rest -= mean;
-      restSeen -= seen;
-      ++cells;
-    }
-    chance *= static_cast<double>(bits - agreements) / (agreements + 1);
-  }
-  chiSquare += (restSeen - rest) * (restSeen - rest) / rest;
-  EXPECT_LT(chiSquare, cells + 5.0 * std::sqrt(2.0 * cells));
-  EXPECT_LE(below, 0.05 * trials + 4.0 * std::sqrt(0.0475 * trials));
+  return a;
 }
 
+} // namespace
+
+// Why a keystream makes what an unmarked mesh reads uniform, whatever is tried to read it.
+TEST(SolidReader, FlippingTheKeystreamUnderAWordFlipsThatWord)
+{
+  const SecretKey key("owner");
+  const Carriers carriers = CarriersOf(key, 16);
+  const TriangleMesh marked =
+    With(Host(2), Marked(Host(2), SecretKey("another"), "1100110011").Points);
+  for (const TriangleMesh& mesh : { marked, shapes::Cube(4) })
+  {
+    const SolidReading reading = ReadCarriers(mesh, carriers, 2, Progress());
+    const std::string flips = key.Message(static_cast<Index>(reading.Data.size()));
+    Carriers flipped = carriers;
+    flipped.Whitening = Exclusive(carriers.Whitening, CodeOf(flips));
+    const SolidReading other = ReadCarriers(mesh, flipped, 2, Progress());
+    EXPECT_EQ(other.Data, Exclusive(reading.Data, flips));
+    EXPECT_NEAR(other.Fit, reading.Fit, 1e-6); // sums of floats
+    EXPECT_EQ(other.Hypothesis.Step, reading.Hypothesis.Step);
+    EXPECT_EQ(other.Values, reading.Values);
+  }
+}
+
+// What meshes without the mark read under a key is uniform over all data, whatever was tried to read it: of
+// the data that the key derives, the bits that agree are binomial, and P(p <= alpha) <= alpha. The frames of
+// those with symmetries are any: the axes of a sphere are rounding, and others have no direction.
+TEST(SolidReader, UnmarkedMeshesAgreeBinomially)
+{
+  constexpr int keys = 6;
+  constexpr double bits = 24.0; // of data, with a message of 4
+  double sum = 0.0;
+  double squares = 0.0;
+  double count = 0.0;
+  int below = 0;
+  for (const TriangleMesh& mesh :
+    { Host(1), shapes::Icosphere(1), shapes::Torus(12, 6), shapes::Cube(4) })
+  {
+    for (int k = 0; k < keys; ++k)
+    {
+      const SecretKey key("trial " + std::to_string(k));
+      const SolidReading reading = ReadSolid(mesh, key, 4, 2, Progress());
+      const std::string expected = DataOf(key.Message(4), key, CarriersOf(key, 4));
+      ASSERT_EQ(static_cast<double>(expected.size()), bits);
+      const double off = static_cast<double>(CountAgreements(reading.Data, expected)) - 0.5 * bits;
+      sum += off;
+      squares += off * off;
+      count += 1.0;
+      below += PValueOf(reading, expected) <= 0.05 ? 1 : 0;
+    }
+  }
+  EXPECT_NEAR(sum, 0.0, 5.0 * std::sqrt(0.25 * bits * count));
+  EXPECT_NEAR(squares, 0.25 * bits * count, 5.0 * 0.25 * bits * std::sqrt(2.0 * count));
+  EXPECT_LE(below, 0.05 * count + 5.0 * std::sqrt(0.0475 * count));
+}
 TEST(SolidWatermark, IsTheSameForAnyNumberOfThreads)
 {
   const SecretKey key("secret");

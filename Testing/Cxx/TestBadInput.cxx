@@ -19,6 +19,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 using namespace filtertesting;
 
 namespace
@@ -35,13 +37,14 @@ void ExpectEmptyOutputs(vtkPolyDataAlgorithm* filter)
   }
 }
 
-void ExpectErrorFrom(vtkPolyDataAlgorithm* filter, const char* part)
+void ExpectErrorFrom(vtkPolyDataAlgorithm* filter, const char* part,
+  unsigned long code = vtkErrorCode::UserError)
 {
   Listener listener(filter);
   filter->Update();
   EXPECT_NE(listener.Errors.find(part), std::string::npos)
     << filter->GetClassName() << " said: " << listener.Errors;
-  EXPECT_EQ(filter->GetErrorCode(), vtkErrorCode::UserError) << filter->GetClassName();
+  EXPECT_EQ(filter->GetErrorCode(), code) << filter->GetClassName();
   ExpectEmptyOutputs(filter);
 }
 
@@ -287,6 +290,55 @@ TEST(BadInput, FewerVerticesThanHarmonics)
   vtkNew<vtkManifoldHarmonics> harmonics;
   harmonics->SetInputData(PolyData(shapes::Icosphere(1)));
   ExpectErrorFrom(harmonics, "100 harmonics were asked for, but the mesh has 42");
+}
+
+TEST(BadInput, MoreVerticesThanTheDenseSolverTakes)
+{
+  vtkNew<vtkManifoldHarmonics> harmonics;
+  harmonics->SetInputData(PolyData(shapes::Icosphere(5)));
+  harmonics->SetSolverToDense();
+  ExpectErrorFrom(harmonics,
+    "the dense solver is for up to 10000 vertices, and this mesh has 10242");
+}
+
+// What no input check foresees: the numbers do not become as good as was asked for.
+TEST(BadInput, HarmonicsThatCannotBeComputed)
+{
+  vtkNew<vtkManifoldHarmonics> harmonics;
+  harmonics->SetInputData(PolyData(shapes::Icosphere(3)));
+  harmonics->SetTolerance(1e-14);
+  ExpectErrorFrom(harmonics, "harmonics have a residual over the tolerance (largest ",
+    vtkErrorCode::UnknownError);
+}
+
+TEST(BadInput, HarmonicsThatCannotBeCompleted)
+{
+  if (std::getenv("SPECTRALWATERMARK_FULL_TESTS") == nullptr)
+  {
+    GTEST_SKIP() << "the solver tries for long: run by ./test.sh --full";
+  }
+  vtkNew<vtkMeshAttack> divide;
+  divide->SetInputData(PolyData(shapes::Icosphere(0), true));
+  divide->SetAttackToSubdivision();
+  divide->SetNumberOfSubdivisions(5);
+  vtkNew<vtkMeshAttack> flatten; // to sheets in each other, that meet in needles
+  flatten->SetInputConnection(divide->GetOutputPort());
+  flatten->SetAttack(vtkMeshAttack::NonUniformScaling);
+  flatten->SetAxisScaleFactors(1.0, 1.0, 1e-8);
+  vtkNew<vtkManifoldHarmonics> harmonics;
+  harmonics->SetInputConnection(flatten->GetOutputPort());
+  harmonics->SetTolerance(1e-14);
+  ExpectErrorFrom(harmonics, "of 100 harmonics could be computed completely: ask for fewer",
+    vtkErrorCode::UnknownError);
+}
+
+TEST(BadInput, TurbulenceThatIsNoNumber)
+{
+  vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetSchemeToPaperSlots();
+  embed->SetInputData(PolyData(shapes::Bumpy(3)));
+  embed->SetTurbulenceFactor(vtkMath::Nan());
+  ExpectEmbedError(embed, "TurbulenceFactor must be a finite number, 0 or more");
 }
 
 TEST(BadInput, MessageOfOtherCharacters)

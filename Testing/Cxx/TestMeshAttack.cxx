@@ -448,6 +448,12 @@ TEST(MeshAttack, UnknownAttackAndBadParametersAreErrors)
   attack = AttackOn(mesh, vtkMeshAttack::NonUniformScaling);
   attack->SetAxisScaleFactors(1.0, 0.0, 1.0);
   expectError(attack, "AxisScaleFactors has a 0");
+  attack = AttackOn(PolyData(shapes::Icosphere(0)), vtkMeshAttack::Simplification);
+  attack->SetSimplificationPercent(99.9);
+  expectError(attack, "no triangle is left: lower SimplificationPercent");
+  attack = AttackOn(PolyData(shapes::Icosphere(0)), vtkMeshAttack::Remeshing);
+  attack->SetRemeshingPercent(0.1);
+  expectError(attack, "no triangle is left: raise RemeshingPercent");
   attack = AttackOn(mesh, vtkMeshAttack::Cropping);
   attack->SetCroppingPercent(99.0);
   expectError(attack, "no polygon is left");

@@ -132,6 +132,68 @@ TriangleMesh Rectangle(Index nx, Index ny, double a, double b)
   return Assemble(points, triangles);
 }
 
+TriangleMesh Torus(Index around, Index across)
+{
+  constexpr double twoPi = 6.28318530717958647693;
+  std::vector<Eigen::RowVector3d> points;
+  std::vector<Triangle> triangles;
+  for (Index i = 0; i < around; ++i)
+  {
+    for (Index j = 0; j < across; ++j)
+    {
+      const double big = twoPi * static_cast<double>(i) / static_cast<double>(around);
+      const double small = twoPi * static_cast<double>(j) / static_cast<double>(across);
+      const double radius = 1.0 + 0.4 * std::cos(small);
+      points.emplace_back(radius * std::cos(big), radius * std::sin(big), 0.4 * std::sin(small));
+      const Index next = (i + 1) % around * across;
+      const Index here = i * across;
+      const Index above = (j + 1) % across;
+      triangles.push_back({ here + j, next + j, next + above });
+      triangles.push_back({ here + j, next + above, here + above });
+    }
+  }
+  return Assemble(points, triangles);
+}
+
+TriangleMesh Cube(Index steps)
+{
+  std::vector<Eigen::RowVector3d> points;
+  std::vector<Triangle> triangles;
+  std::map<std::array<Index, 3>, Index> numbers;
+  const auto vertex = [&](const std::array<Index, 3>& place)
+  {
+    const auto [known, isNew] = numbers.emplace(place, static_cast<Index>(points.size()));
+    if (isNew)
+    {
+      points.emplace_back(
+        Eigen::Map<const Eigen::Matrix<Index, 1, 3>>(place.data()).cast<double>() /
+        static_cast<double>(steps));
+    }
+    return known->second;
+  };
+  for (std::size_t side = 0; side < 6; ++side)
+  {
+    const bool isFar = side >= 3;
+    const auto at = [&](Index u, Index v)
+    {
+      std::array<Index, 3> place{};
+      place[side % 3] = isFar ? steps : 0;
+      place[(side + 1) % 3] = isFar ? u : v; // outwards
+      place[(side + 2) % 3] = isFar ? v : u;
+      return vertex(place);
+    };
+    for (Index u = 0; u < steps; ++u)
+    {
+      for (Index v = 0; v < steps; ++v)
+      {
+        triangles.push_back({ at(u, v), at(u + 1, v), at(u + 1, v + 1) });
+        triangles.push_back({ at(u, v), at(u + 1, v + 1), at(u, v + 1) });
+      }
+    }
+  }
+  return Assemble(points, triangles);
+}
+
 TriangleMesh Bumpy(int level)
 {
   TriangleMesh mesh = Icosphere(level);

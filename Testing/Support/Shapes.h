@@ -19,6 +19,12 @@ TriangleMesh Icosphere(int level, double radius = 1.0);
 /// The rectangle [0, a] x [0, b] in the plane z = 0, with nx x ny cells of two triangles.
 TriangleMesh Rectangle(Index nx, Index ny, double a, double b);
 
+/// Radii 1 and 0.4, about the z axis.
+TriangleMesh Torus(Index around, Index across);
+
+/// The unit cube, with so many squares of two triangles along each edge.
+TriangleMesh Cube(Index steps);
+
 /// A closed surface without symmetry: a sphere with bumps of several sizes.
 TriangleMesh Bumpy(int level);
 

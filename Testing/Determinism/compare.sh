@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# Bits and decisions of the release build (build/) beside those of a debug build (build/debug).
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+cmake --preset debug -DSPECTRALWATERMARK_WRAP_PYTHON=OFF -DSPECTRALWATERMARK_BUILD_EXAMPLES=OFF
+cmake --build --preset debug --target PrintDecisions
+cmake --build --preset release --target PrintDecisions
+build/bin/PrintDecisions >build/decisions.release
+build/debug/bin/PrintDecisions >build/decisions.debug
+if ! diff build/decisions.release build/decisions.debug; then
+  echo "release (<) and debug (>) differ" >&2
+  exit 1
+fi
+echo "$(wc -l <build/decisions.debug) lines of bits and decisions are the same in release and debug"
