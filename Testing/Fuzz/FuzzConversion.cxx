@@ -8,6 +8,9 @@
 #include <vtkOutputWindow.h>
 #include <vtkPolyData.h>
 
+#include <array>
+#include <set>
+
 namespace sw = spectralwatermark;
 using fuzzing::Require;
 
@@ -53,12 +56,10 @@ void CheckMerged(const sw::PolyDataMesh& mesh, vtkPolyData* input)
         "a point was moved to another vertex");
     }
   }
-  for (sw::Index v = 0; v < mesh.Mesh.NumberOfVertices(); ++v)
+  std::set<std::array<double, 3>> places;
+  for (const auto& p : mesh.Mesh.Points.rowwise())
   {
-    for (sw::Index w = 0; w < v; ++w)
-    {
-      Require(mesh.Mesh.Points.row(v) != mesh.Mesh.Points.row(w), "two vertices at the same place");
-    }
+    Require(places.insert({ p[0], p[1], p[2] }).second, "two vertices at the same place");
   }
 }
 

@@ -124,6 +124,8 @@ vtkSmartPointer<vtkPolyData> LoosePolygons(Bytes& bytes)
 
 shapes::TriangleMesh KnownShape(Bytes& bytes)
 {
+  static const std::array<shapes::TriangleMesh, 3> bumpy{ shapes::Bumpy(1), shapes::Bumpy(2),
+    shapes::Bumpy(3) };
   switch (bytes.Below(6))
   {
     case 0:
@@ -133,7 +135,7 @@ shapes::TriangleMesh KnownShape(Bytes& bytes)
     case 2:
       return shapes::Union({ shapes::Icosphere(1), shapes::Bumpy(1) }, 4.0 * bytes.Share());
     default:
-      return shapes::Bumpy(1 + bytes.Below(3));
+      return bumpy[static_cast<std::size_t>(bytes.Below(3))];
   }
 }
 
