@@ -157,9 +157,11 @@ void CheckConvergence(const EigenProblem& problem, const EigenPairs& pairs,
   }
 }
 
-// Eigenvalues that repeat come in any order, by a rounding. The kernel stays in front.
+// Eigenvalues that repeat come in any order, by a rounding, and under 0, where none can be, for parts that
+// hang together by next to nothing. The kernel stays in front.
 void Sort(EigenPairs& pairs, Index kernel)
 {
+  pairs.Values = pairs.Values.cwiseMax(0.0).eval();
   std::vector<Index> order(static_cast<std::size_t>(pairs.Values.size()));
   std::iota(order.begin(), order.end(), Index{ 0 });
   std::stable_sort(order.begin() + std::min(kernel, pairs.Values.size()), order.end(),
