@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace spectralwatermark;
@@ -271,4 +272,34 @@ TEST(ManifoldHarmonics, FewVerticesWithAreaAmongMany)
   EXPECT_TRUE(harmonics.Basis.allFinite());
   EXPECT_EQ(harmonics.Eigenvalues[0], 0.0);
   EXPECT_THROW(Compute(mesh, 13), InvalidInput); // only twelve have mass
+}
+
+// Spheres and needles between them: all but one of the small eigenvalues are next to 0, and rounding must
+// not take them under.
+TEST(ManifoldHarmonics, PartsThatHangTogetherByNextToNothing)
+{
+  constexpr Index parts = 8;
+  for (const int level : { 1, 2 }) // for the dense solver, and for the Lanczos ones
+  {
+    const TriangleMesh spheres =
+      shapes::Union(std::vector<TriangleMesh>(parts, shapes::Icosphere(level)), 3.0);
+    const Index n = spheres.NumberOfVertices();
+    for (const double width : { 1e-6, 1e-9, 1e-12, 1e-15 })
+    {
+      std::vector<Eigen::RowVector3d> points;
+      std::vector<std::vector<Index>> needles;
+      for (Index k = 1; k < parts; ++k)
+      {
+        const Index end = k * n / parts;
+        needles.push_back({ end - 1, end, n + k - 1 });
+        points.emplace_back(spheres.Points.row(end) + Eigen::RowVector3d(0, 0, width));
+      }
+      const ManifoldHarmonics harmonics =
+        Compute(shapes::WithTriangles(spheres, points, needles), 40);
+      EXPECT_GE(harmonics.Eigenvalues.minCoeff(), 0.0) << width;
+      EXPECT_LT(harmonics.Eigenvalues[parts - 1], 1e-5) << width;
+      EXPECT_GT(harmonics.Eigenvalues[parts], 0.5) << width;
+      EXPECT_TRUE(std::is_sorted(harmonics.Eigenvalues.begin(), harmonics.Eigenvalues.end()));
+    }
+  }
 }
