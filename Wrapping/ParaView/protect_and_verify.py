@@ -68,12 +68,14 @@ def show(original, attack, distortion, verdict):
     layout.AssignView(left + 1, views[1])
     middle = layout.SplitHorizontal(left + 1, 0.5)
     layout.AssignView(middle + 1, views[2])
-    for view, source, caption in ((views[0], original, "original"), (views[1], attack, f"a noised copy: {verdict}"),
-                                  (views[2], distortion, "how far the protected mesh moved")):
+    # Two lines each: a third of a window is narrow.
+    for view, source, caption in ((views[0], original, "the original\n"),
+                                  (views[1], attack, f"a noised copy:\n{verdict}"),
+                                  (views[2], distortion, "how far the\nprotected mesh moved")):
         display = Show(source, view)
-        text = Show(Text(registrationName=caption, Text=caption), view)
+        text = Show(Text(registrationName=" ".join(caption.split()), Text=caption), view)
         text.WindowLocation = "Upper Center"
-        text.FontSize = 20
+        text.FontSize = 16
         if source is distortion:
             ColorBy(display, ("POINTS", "SurfaceDistance"))
             display.RescaleTransferFunctionToDataRange(True)
