@@ -2,7 +2,7 @@
 # Builds and runs the tests.
 #
 #   ./test.sh          the quick set: what every change must pass
-#   ./test.sh --full   also: the filters under the sanitizers, clang with warnings as errors,
+#   ./test.sh --full   also: the filters under the sanitizers and valgrind, clang with warnings as errors,
 #                      clang-tidy, fuzzing, the ParaView plugin, large scans in every mode, and the packages in
 #                      a clean root
 #
@@ -39,6 +39,10 @@ if [ $full = yes ]; then
   # VTK's singletons outlive main: leaks are looked for in the Core tests only. Whole scans would
   # take hours here, and add no code path.
   ASAN_OPTIONS=detect_leaks=0 ctest --preset asan -j "$jobs" --exclude-regex 'Scans/|RealMeshes'
+  echo "== thread sanitizer"
+  cmake --preset tsan
+  cmake --build --preset tsan --target CoreTests FilterTests
+  ctest --preset tsan -j "$jobs" --tests-regex 'Concurrency|Threads'
   echo "== fuzzing, 20 seconds each"
   cmake --preset fuzz
   cmake --build --preset fuzz --target Fuzzers
@@ -54,6 +58,9 @@ cmake --preset release -DSPECTRALWATERMARK_BUILD_TESTING=ON \
 cmake --build --preset release
 ctest --preset release -j "$jobs"
 if [ $full = yes ]; then
+  echo "== valgrind"
+  valgrind --quiet --error-exitcode=1 build/bin/FilterTests \
+    --gtest_filter='Concurrency.AFilterThat*:MeshAttack.UnknownAttack*'
   echo "== packages in a clean root"
   Testing/Packages/test.sh
 fi
