@@ -58,8 +58,9 @@ SolidEmbeddingResult EmbedInSolid(const TriangleMesh& mesh, const SecretKey& key
   const SolidEmbeddingOptions& options, const Progress& progress);
 
 /// How many bits EmbedInSolid() takes at least, in the memory that there is, up to LargestMessage; 0 when
-/// a message may not fit at all. Some are left for what a message costs more or less than another. So many are embedded with the
-/// smallest step and survive little. Takes as long as several embeddings, of up to that many bits.
+/// a message may not fit at all. Some are left for what a message costs more or less than another. So many
+/// are embedded with the smallest step and survive little. Takes as long as several embeddings, of up to
+/// that many bits.
 Index CapacityOf(const TriangleMesh& mesh, const SecretKey& key, double maximumDistortion,
   int threads, const Progress& progress);
 

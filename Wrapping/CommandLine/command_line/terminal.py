@@ -17,6 +17,7 @@ from contextlib import contextmanager
 PROGRAM = "spectral-watermark"
 
 _times_stopped = 0
+_caught: tuple[int, ...] = ()  # the signals that ask to stop
 _child: int | None = None  # the process that works
 _bar = None  # the progress bar that is on the terminal
 
@@ -134,6 +135,8 @@ def _display_works() -> bool:
 def catch_signals(numbers: tuple[int, ...]) -> None:
     """From now on these are remembered: stopped() tells. A filter runs on until it reports progress, and no
     Python code before."""
+    global _caught
+    _caught = numbers
     for number in numbers:
         signal.signal(number, _remember)
 
@@ -191,10 +194,9 @@ def end_with_parent() -> None:
 
 
 def stop_listening() -> None:
-    """At the end, once stopped: the interpreter gives up its handlers, and would die of another signal."""
-    if stopped():
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-            signal.signal(number, signal.SIG_IGN)
+    """At the end: the interpreter gives up its handlers, and would die of a second request to stop."""
+    for number in _caught:
+        signal.signal(number, signal.SIG_IGN)
 
 
 def stopped() -> bool:
