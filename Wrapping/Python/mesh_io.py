@@ -45,7 +45,6 @@ from __future__ import annotations
 
 import os
 import re
-import secrets
 import shutil
 import struct
 from collections.abc import Callable, Iterator
@@ -66,12 +65,6 @@ from vtkmodules.vtkCommonCore import (
 )
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
-from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkOBJWriter, vtkSTLReader, vtkSTLWriter
-from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
-
-from . import vtp
 
 __all__ = ["MeshFileError", "check_writable", "read_mesh", "stores_float", "write_file", "write_mesh"]
 
@@ -129,7 +122,7 @@ def write_file(
     """Has write() fill a file beside `path`, then renames it: whole or not at all."""
     path = Path(path)
     target = Path(os.path.realpath(path))  # a link goes on pointing
-    partial = target.with_name(f".{secrets.token_hex(8)}.partial{target.suffix.lower()}")
+    partial = target.with_name(f".{os.urandom(8).hex()}.partial{target.suffix.lower()}")
     try:
         partial.touch()  # says why, where VTK would only say that it cannot
         write(partial)
@@ -181,6 +174,7 @@ def _suffix(path: Path, formats: dict, verb: str) -> str:
 
 
 # --- VTK's readers and writers -----------------------------------------------------------------
+# Each is imported where it is used: to load them all takes longer than to read a mesh of 50,000 points.
 
 
 def _run_reader(reader: vtkAlgorithm) -> vtkPolyData:
@@ -277,6 +271,8 @@ class _PlyElement:
 
 
 def _read_ply(path: Path) -> vtkPolyData:
+    from vtkmodules.vtkIOPLY import vtkPLYReader
+
     reader = vtkPLYReader()
     reader.SetReadFromInputString(True)
     reader.SetInputString(_checked_ply(path.read_bytes()))
@@ -522,6 +518,8 @@ def _check_ply_corners(data: bytes, starts: np.ndarray, lengths: np.ndarray, kin
 
 
 def _write_ply(mesh: vtkPolyData, path: Path) -> None:
+    from vtkmodules.vtkIOPLY import vtkPLYWriter
+
     surface = _surface(mesh)
     sizes = np.diff(vtk_to_numpy(surface.GetPolys().GetOffsetsArray()))
     if sizes.max(initial=0) > _PLY_CORNERS:
@@ -543,6 +541,8 @@ _OBJ_NAME = 99  # VTK's buffer for the name of a material
 
 
 def _read_obj(path: Path) -> vtkPolyData:
+    from vtkmodules.vtkIOGeometry import vtkOBJReader
+
     points = _check_obj(path.read_bytes())
     reader = vtkOBJReader()
     reader.SetFileName(os.fsencode(path))
@@ -669,6 +669,8 @@ def _check_obj_face(corners: list[bytes], found: dict[bytes, int],
 
 
 def _write_obj(mesh: vtkPolyData, path: Path) -> None:
+    from vtkmodules.vtkIOGeometry import vtkOBJWriter
+
     surface = _surface(mesh)
     surface.SetLines(mesh.GetLines())
     libraries = mesh.GetFieldData().GetAbstractArray("MaterialLibraries")
@@ -713,6 +715,8 @@ def _name_materials(mesh: vtkPolyData, surface: vtkPolyData, path: Path) -> None
 
 
 def _read_stl(path: Path) -> vtkPolyData:
+    from vtkmodules.vtkIOGeometry import vtkSTLReader
+
     _check_stl(path.read_bytes())
     reader = vtkSTLReader()
     reader.SetFileName(os.fsencode(path))
@@ -732,6 +736,8 @@ def _check_stl(data: bytes) -> None:
 
 
 def _write_stl(mesh: vtkPolyData, path: Path) -> None:
+    from vtkmodules.vtkIOGeometry import vtkSTLWriter
+
     writer = vtkSTLWriter()
     writer.SetFileTypeToBinary()
     _run_writer(writer, _surface(mesh), path)
@@ -747,6 +753,10 @@ def _write_stl(mesh: vtkPolyData, path: Path) -> None:
 
 
 def _read_vtp(path: Path) -> vtkPolyData:
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+    from . import vtp
+
     try:
         vtp.check(path.read_bytes())
     except vtp.Damaged as error:
@@ -757,6 +767,8 @@ def _read_vtp(path: Path) -> vtkPolyData:
 
 
 def _write_vtp(mesh: vtkPolyData, path: Path) -> None:
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
     writer = vtkXMLPolyDataWriter()
     writer.SetDataModeToAppended()
     writer.EncodeAppendedDataOff()
@@ -848,6 +860,8 @@ def _off_faces(lines: list[tuple[int, list[bytes]]], points: int) -> vtkCellArra
 def _surface(mesh: vtkPolyData) -> vtkPolyData:
     """What a PLY, OBJ or STL file can hold of a mesh, in the form that VTK's writers need."""
     if mesh.GetNumberOfStrips():
+        from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+
         triangles = vtkTriangleFilter()
         triangles.SetInputData(mesh)
         triangles.PassVertsOff()

@@ -5,11 +5,8 @@ from __future__ import annotations
 
 import ctypes
 import gc
-import json
 import os
-import shutil
 import signal
-import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -35,6 +32,8 @@ def say(request: dict, result: dict, as_json: bool) -> None:
     if _bar is not None:
         _bar.clear()
     if as_json:
+        import json
+
         print(json.dumps(result), flush=True)
     if "error" in result:
         say_error(result["error"])
@@ -93,6 +92,9 @@ def display(needed: bool) -> Iterator[None]:
     if not needed or _display_works():
         yield
         return
+    import shutil
+    import subprocess
+
     if not shutil.which("Xvfb"):
         raise UserError("the report draws pictures: it needs a display, or a virtual one (Debian: xvfb and "
                         "libgl1-mesa-dri)")
