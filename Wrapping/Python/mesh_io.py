@@ -234,6 +234,12 @@ def _check_cells(mesh: vtkPolyData) -> None:
             raise MeshFileError(f"a {what} has fewer than {least} points; remove it")
 
 
+def _refuse_underscores(words: list[bytes]) -> None:
+    """1_0 is 10 to Python, and 1 to VTK."""
+    if b"_" in b"".join(words):
+        raise ValueError
+
+
 def _check_corners(lowest: int, highest: int, points: int) -> None:
     for corner in (lowest, highest):
         if not 0 <= corner < points:
@@ -402,6 +408,7 @@ def _ply_text_parts(body: bytes, elements: list[_PlyElement], points: int) -> di
 def _check_ply_row(element: _PlyElement, number: int, row: list[bytes], points: int) -> None:
     at = 0
     try:
+        _refuse_underscores(row)
         for item in element.properties:
             if item.count_type:
                 length = int(row[at])
@@ -538,6 +545,8 @@ def _write_ply(mesh: vtkPolyData, path: Path) -> None:
 # --- OBJ ---------------------------------------------------------------------------------------
 
 _OBJ_NAME = 99  # VTK's buffer for the name of a material
+# v, v/vt, v//vn or v/vt/vn. After a slash at the end of a corner VTK takes the next corner's number.
+_OBJ_CORNER = re.compile(rb"(-?\d+)(?:/(-?\d+)?(?:/(-?\d+))?)?(?<!/)")
 
 
 def _read_obj(path: Path) -> vtkPolyData:
@@ -632,6 +641,7 @@ def _check_obj(data: bytes) -> int:
                     found[kind] += 1
                     for i in range(sizes[kind]):
                         float(values[i])
+                    _refuse_underscores(values[:sizes[kind]])
                 case [b"usemtl", name, *_] if len(name) > _OBJ_NAME:
                     raise MeshFileError(f"line {number}: VTK reads no more than {_OBJ_NAME} "
                                         "letters as the name of a material; shorten it")
@@ -656,7 +666,10 @@ def _check_obj_face(corners: list[bytes], found: dict[bytes, int],
         raise ValueError
     normals = False
     for corner in corners:
-        for kind, part in zip((b"v", b"vt", b"vn"), corner.split(b"/")):
+        parts = _OBJ_CORNER.fullmatch(corner)
+        if not parts:
+            raise ValueError
+        for kind, part in zip((b"v", b"vt", b"vn"), parts.groups()):
             if part:
                 index = int(part)
                 if index < 0:
