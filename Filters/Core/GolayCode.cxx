@@ -2,7 +2,10 @@
 #include "GolayCode.h"
 
 #include <array>
-#include <numeric>
+#include <bitset>
+#include <limits>
+#include <stdexcept>
+#include <vector>
 
 namespace spectralwatermark
 {
@@ -33,32 +36,109 @@ std::uint32_t Encode(std::uint32_t data)
   return word | parity << (GolayCodeBits - 1);
 }
 
-// The checks that go with each data.
-std::array<std::uint32_t, Words> ChecksOfData()
-{
-  std::array<std::uint32_t, Words> checks{};
-  for (std::uint32_t data = 0; data < Words; ++data)
-  {
-    checks[data] = Encode(data) >> GolayDataBits;
-  }
-  return checks;
-}
+constexpr int OctadBits = 8;
+constexpr std::uint32_t AllOfOctad = (1U << OctadBits) - 1;
+constexpr std::uint32_t AllOfWord = (1U << GolayCodeBits) - 1;
 
-// For all patterns of 12 bits, the sum of 12 soft bits with the signs that the pattern gives them. A
-// word's fit is one of its data's sums and one of its checks': no need to add 24 for each word.
-using HalfSums = std::array<float, Words>;
+// The bits of a word at some places, the lowest place's first.
+using Octad = std::array<int, OctadBits>;
 
-void SumHalves(const float* soft, HalfSums& sums)
+Octad PlacesOf(std::uint32_t word)
 {
-  sums[0] = std::accumulate(soft, soft + GolayDataBits, 0.0F);
-  for (int bit = 0; bit < GolayDataBits; ++bit)
+  Octad places{};
+  for (int place = 0, found = 0; place < GolayCodeBits; ++place)
   {
-    const std::uint32_t one = 1U << bit;
-    for (std::uint32_t pattern = 0; pattern < one; ++pattern)
+    if ((word >> place & 1U) != 0)
     {
-      sums[one + pattern] = sums[pattern] - 2.0F * soft[bit];
+      places[static_cast<std::size_t>(found++)] = place;
     }
   }
+  return places;
+}
+
+std::uint32_t PatternIn(const Octad& places, std::uint32_t word)
+{
+  std::uint32_t pattern = 0;
+  for (int bit = 0; bit < OctadBits; ++bit)
+  {
+    pattern |= (word >> places[static_cast<std::size_t>(bit)] & 1U) << bit;
+  }
+  return pattern;
+}
+
+std::uint32_t WordOf(const Octad& places, std::uint32_t pattern)
+{
+  std::uint32_t word = 0;
+  for (int bit = 0; bit < OctadBits; ++bit)
+  {
+    word |= (pattern >> bit & 1U) << places[static_cast<std::size_t>(bit)];
+  }
+  return word;
+}
+
+// Three words of eight ones that together have all 24 (a trio). Adding one of them to a word turns the
+// word's bits over in that octad alone, so the best of all 4096 words is found among the 512 whose last
+// bit in each octad is 0: each octad then counts with its sum's magnitude, and is turned over where the
+// sum is negative. After Conway and Sloane, "Soft decoding techniques for codes and lattices, including
+// the Golay code and the Leech lattice", IEEE Trans. Inf. Theory 32 (1986).
+struct Trio
+{
+  static constexpr std::size_t Parts = 3;
+  std::array<Octad, Parts> Octads;
+  std::vector<std::array<std::uint32_t, Parts>> Patterns; // of the 512 words
+
+  Trio()
+  {
+    const std::uint32_t first = NextOctad(0);
+    const std::uint32_t second = NextOctad(first);
+    this->Octads = { PlacesOf(first), PlacesOf(second), PlacesOf(AllOfWord ^ first ^ second) };
+    for (std::uint32_t data = 0; data < Words; ++data)
+    {
+      std::array<std::uint32_t, Parts> patterns{};
+      for (std::size_t part = 0; part < Parts; ++part)
+      {
+        patterns[part] = PatternIn(this->Octads[part], Encode(data));
+      }
+      if (((patterns[0] | patterns[1] | patterns[2]) >> (OctadBits - 1)) == 0)
+      {
+        this->Patterns.push_back(patterns);
+      }
+    }
+  }
+
+private:
+  // The first word of eight ones that has none of these.
+  static std::uint32_t NextOctad(std::uint32_t taken)
+  {
+    for (std::uint32_t data = 0; data < Words; ++data)
+    {
+      const std::uint32_t word = Encode(data);
+      if ((word & taken) == 0 && std::bitset<GolayCodeBits>(word).count() == OctadBits)
+      {
+        return word;
+      }
+    }
+    throw std::logic_error("no octad"); // every octad of the Golay code is part of a trio
+  }
+};
+
+// For all patterns of an octad whose last bit is 0, the sum of its soft bits with their signs.
+using OctadSums = Eigen::Array<float, (1 << (OctadBits - 1)), 1>;
+
+OctadSums SumsOf(const Octad& places, const Eigen::RowVectorXf& soft)
+{
+  OctadSums sums;
+  sums[0] = 0.0F;
+  for (const int place : places)
+  {
+    sums[0] += soft[place];
+  }
+  for (int bit = 0; bit < OctadBits - 1; ++bit)
+  {
+    const Eigen::Index one = Eigen::Index{ 1 } << bit;
+    sums.segment(one, one) = sums.head(one) - 2.0F * soft[places[static_cast<std::size_t>(bit)]];
+  }
+  return sums;
 }
 
 } // namespace
@@ -70,23 +150,33 @@ std::uint32_t GolayEncode(std::uint32_t data)
 
 std::uint32_t GolayDecode(const Eigen::RowVectorXf& soft, float& fit)
 {
-  static const std::array<std::uint32_t, Words> checks = ChecksOfData();
-  HalfSums ofData;
-  HalfSums ofChecks;
-  SumHalves(soft.data(), ofData);
-  SumHalves(soft.data() + GolayDataBits, ofChecks);
-  std::uint32_t best = 0;
-  fit = ofData[0] + ofChecks[0];
-  for (std::uint32_t data = 1; data < Words; ++data)
+  static const Trio trio;
+  std::array<OctadSums, Trio::Parts> sums;
+  std::array<OctadSums, Trio::Parts> magnitudes;
+  for (std::size_t part = 0; part < Trio::Parts; ++part)
   {
-    const float sum = ofData[data] + ofChecks[checks[data]];
+    sums[part] = SumsOf(trio.Octads[part], soft);
+    magnitudes[part] = sums[part].abs();
+  }
+  const auto* best = &trio.Patterns.front();
+  fit = -std::numeric_limits<float>::infinity();
+  for (const auto& patterns : trio.Patterns)
+  {
+    const float sum =
+      magnitudes[0][patterns[0]] + magnitudes[1][patterns[1]] + magnitudes[2][patterns[2]];
     if (sum > fit)
     {
       fit = sum;
-      best = data;
+      best = &patterns;
     }
   }
-  return best;
+  std::uint32_t word = 0;
+  for (std::size_t part = 0; part < Trio::Parts; ++part)
+  {
+    const std::uint32_t pattern = (*best)[part];
+    word |= WordOf(trio.Octads[part], sums[part][pattern] < 0.0F ? pattern ^ AllOfOctad : pattern);
+  }
+  return word % Words;
 }
 
 } // namespace spectralwatermark
