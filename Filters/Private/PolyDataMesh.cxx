@@ -78,16 +78,45 @@ void CheckCorners(vtkCellArray* cells, vtkIdType pointCount)
     });
 }
 
-// Without the cells that are no surface, which vtkTriangleFilter crashes on.
-vtkSmartPointer<vtkCellArray> WithThreeCorners(vtkCellArray* cells)
+std::string Rounded(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+void CheckPoint(vtkIdType id, const Eigen::Vector3d& point)
+{
+  if (!point.allFinite())
+  {
+    throw InvalidInput("point " + std::to_string(id) +
+      " has a coordinate that is not finite: remove it and its polygons, or mend the file");
+  }
+  if (point.cwiseAbs().maxCoeff() > LargestCoordinate)
+  {
+    throw InvalidInput("point " + std::to_string(id) + " has a coordinate beyond " +
+      Rounded(LargestCoordinate) + ": mend the file, or choose larger units");
+  }
+}
+
+// Without the cells that are no surface, which vtkTriangleFilter crashes on. Points that are not finite
+// are found here: it leaves out polygons that it cannot triangulate.
+vtkSmartPointer<vtkCellArray> WithThreeCorners(vtkPoints* points, vtkCellArray* cells)
 {
   auto kept = vtkSmartPointer<vtkCellArray>::New();
   ForEachCell(cells,
-    [&kept](vtkIdType size, const vtkIdType* corners)
+    [points, &kept](vtkIdType size, const vtkIdType* corners)
     {
-      if (size >= 3)
+      if (size < 3)
       {
-        kept->InsertNextCell(size, corners);
+        return;
+      }
+      kept->InsertNextCell(size, corners);
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        Eigen::Vector3d point;
+        points->GetPoint(corners[i], point.data());
+        CheckPoint(corners[i], point);
       }
     });
   return kept;
@@ -104,8 +133,8 @@ vtkSmartPointer<vtkCellArray> Triangulated(vtkPolyData* input)
   }
   vtkNew<vtkPolyData> surface;
   surface->SetPoints(input->GetPoints());
-  surface->SetPolys(WithThreeCorners(input->GetPolys()));
-  surface->SetStrips(WithThreeCorners(input->GetStrips()));
+  surface->SetPolys(WithThreeCorners(input->GetPoints(), input->GetPolys()));
+  surface->SetStrips(WithThreeCorners(input->GetPoints(), input->GetStrips()));
   vtkNew<vtkTriangleFilter> triangulate;
   triangulate->SetInputData(surface);
   triangulate->PassVertsOff();
@@ -202,13 +231,6 @@ TriangleMesh::TriangleMatrix ProperTriangles(const std::vector<Triangle>& triang
   return proper;
 }
 
-std::string Rounded(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 void CheckSize(const TriangleMesh::PointMatrix& points)
 {
   const double size = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
@@ -277,17 +299,7 @@ TriangleMesh::PointMatrix PointsAt(vtkPolyData* input, const std::vector<vtkIdTy
   TriangleMesh::PointMatrix points = PointsOf(input, ids);
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
-    const auto point = points.row(static_cast<Index>(i));
-    if (!point.allFinite())
-    {
-      throw InvalidInput("point " + std::to_string(ids[i]) +
-        " has a coordinate that is not finite: remove it and its polygons, or mend the file");
-    }
-    if (point.cwiseAbs().maxCoeff() > LargestCoordinate)
-    {
-      throw InvalidInput("point " + std::to_string(ids[i]) + " has a coordinate beyond " +
-        Rounded(LargestCoordinate) + ": mend the file, or choose larger units");
-    }
+    CheckPoint(ids[i], points.row(static_cast<Index>(i)));
   }
   return points;
 }

@@ -106,6 +106,23 @@ TEST(BadInput, CoordinatesThatAreNotFinite)
   }
 }
 
+// Also in polygons that VTK leaves out when it triangulates.
+TEST(BadInput, CoordinatesOfPolygonsThatAreNotFinite)
+{
+  for (const double bad : { vtkMath::Nan(), -vtkMath::Inf() })
+  {
+    const auto mesh = PolyData(shapes::Icosphere(3));
+    const vtkIdType alone = mesh->GetPoints()->InsertNextPoint(bad, bad, 0.0);
+    vtkNew<vtkCellArray> cells;
+    cells->DeepCopy(mesh->GetPolys());
+    cells->InsertNextCell({ 5, 5, alone, alone, 5 });
+    mesh->SetPolys(cells);
+    const std::string message =
+      "point " + std::to_string(alone) + " has a coordinate that is not finite";
+    ExpectErrorFromEvery(mesh, message.c_str());
+  }
+}
+
 TEST(BadInput, UnusedPointsMayBeAnything)
 {
   const auto mesh = PolyData(shapes::Bumpy(3));
