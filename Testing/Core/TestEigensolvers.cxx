@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/BlockLanczosEigensolver.h"
 #include "Core/DenseEigensolver.h"
+#include "Core/Errors.h"
 #include "Core/LaplaceOperator.h"
 #include "Core/SpectraEigensolver.h"
 #include "Support/Shapes.h"
@@ -10,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 
 using namespace spectralwatermark;
 
@@ -98,6 +101,21 @@ double OrthonormalityError(const OwnedProblem& problem, const EigenPairs& pairs)
 {
   const Eigen::MatrixXd gram = pairs.Vectors.transpose() * (problem.Mass * pairs.Vectors);
   return (gram - Eigen::MatrixXd::Identity(gram.rows(), gram.cols())).cwiseAbs().maxCoeff();
+}
+
+std::string FailureOf(const Eigensolver& solver, const OwnedProblem& problem)
+{
+  EigensolverOptions options;
+  options.Count = 20;
+  try
+  {
+    solver.Solve(problem.View(), options, Progress());
+  }
+  catch (const SolverFailure& failure)
+  {
+    return failure.what();
+  }
+  return "none";
 }
 
 void ExpectSameSpectrum(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
@@ -325,6 +343,44 @@ TEST(Eigensolvers, OnlyASolverThatChoseAnOrderGivesOne)
   const OwnedProblem problem(shapes::Bumpy(4));
   EXPECT_EQ(SolveBanded<SpectraEigensolver>(problem, 20, 0).Order.size(), 0);
   EXPECT_EQ(SolveBanded<BlockLanczosEigensolver>(problem, 20, 0).Order.size(), problem.Mass.rows());
+}
+
+// No mesh that passes the checks leads there; should rounding do so once, the solver says it.
+TEST(Eigensolvers, NumbersThatAreDamagedAreRefused)
+{
+  const char* brokeDown = "the factorisation of the shifted Laplacian broke down";
+  OwnedProblem notANumber(shapes::Bumpy(3));
+  notANumber.Stiffness.coeffRef(7, 7) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(FailureOf(BlockLanczosEigensolver(), notANumber), brokeDown);
+  EXPECT_EQ(FailureOf(SpectraEigensolver(), notANumber),
+    "the eigensolver gave up (TridiagEigen: eigen decomposition failed): remove the mesh's "
+    "thinnest "
+    "triangles, or ask for fewer harmonics");
+  EXPECT_EQ(FailureOf(DenseEigensolver(), notANumber), "the dense eigensolver did not converge");
+
+  OwnedProblem withoutARow(shapes::Bumpy(3));
+  for (SparseMatrix* matrix : { &withoutARow.Stiffness, &withoutARow.Mass })
+  {
+    matrix->prune([](Index row, Index column, double) { return row != 7 && column != 7; });
+  }
+  EXPECT_EQ(FailureOf(BlockLanczosEigensolver(), withoutARow), brokeDown);
+  EXPECT_EQ(FailureOf(SpectraEigensolver(), withoutARow), brokeDown);
+}
+
+TEST(Eigensolvers, VectorsThatDependOnEachOtherAreRefused)
+{
+  const OwnedProblem problem(shapes::Bumpy(3));
+  Eigen::MatrixXd vectors = Eigen::MatrixXd::Random(problem.Mass.rows(), 3);
+  vectors.col(2).setZero();
+  try
+  {
+    Orthonormalize(problem.Mass, vectors);
+    FAIL() << "no error";
+  }
+  catch (const SolverFailure& failure)
+  {
+    EXPECT_STREQ(failure.what(), "the computed harmonics are linearly dependent");
+  }
 }
 
 // Inverse iteration drowns all other vectors in the one whose eigenvalue the shift nearly hits.
