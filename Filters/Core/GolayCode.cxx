@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GolayCode.h"
 
+#include <algorithm>
 #include <array>
 #include <bitset>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -123,7 +125,7 @@ private:
 };
 
 // For all patterns of an octad whose last bit is 0, the sum of its soft bits with their signs.
-using OctadSums = Eigen::Array<float, (1 << (OctadBits - 1)), 1>;
+using OctadSums = std::array<float, 1U << (OctadBits - 1)>;
 
 OctadSums SumsOf(const Octad& places, const Eigen::RowVectorXf& soft)
 {
@@ -133,10 +135,12 @@ OctadSums SumsOf(const Octad& places, const Eigen::RowVectorXf& soft)
   {
     sums[0] += soft[place];
   }
-  for (int bit = 0; bit < OctadBits - 1; ++bit)
+  for (std::size_t bit = 0; bit < OctadBits - 1; ++bit)
   {
-    const Eigen::Index one = Eigen::Index{ 1 } << bit;
-    sums.segment(one, one) = sums.head(one) - 2.0F * soft[places[static_cast<std::size_t>(bit)]];
+    const std::size_t one = std::size_t{ 1 } << bit;
+    const float both = 2.0F * soft[places[bit]];
+    std::transform(sums.data(), sums.data() + one, sums.data() + one,
+      [both](float sum) { return sum - both; });
   }
   return sums;
 }
@@ -152,18 +156,18 @@ std::uint32_t GolayDecode(const Eigen::RowVectorXf& soft, float& fit)
 {
   static const Trio trio;
   std::array<OctadSums, Trio::Parts> sums;
-  std::array<OctadSums, Trio::Parts> magnitudes;
   for (std::size_t part = 0; part < Trio::Parts; ++part)
   {
     sums[part] = SumsOf(trio.Octads[part], soft);
-    magnitudes[part] = sums[part].abs();
   }
+  const auto magnitude = [&sums](std::size_t part, std::uint32_t pattern)
+  { return std::abs(sums[part][pattern]); };
   const auto* best = &trio.Patterns.front();
   fit = -std::numeric_limits<float>::infinity();
   for (const auto& patterns : trio.Patterns)
   {
     const float sum =
-      magnitudes[0][patterns[0]] + magnitudes[1][patterns[1]] + magnitudes[2][patterns[2]];
+      magnitude(0, patterns[0]) + magnitude(1, patterns[1]) + magnitude(2, patterns[2]);
     if (sum > fit)
     {
       fit = sum;
