@@ -29,6 +29,9 @@ constexpr double MinimalGap = 1e-7;
 
 constexpr int MaximumRepairs = 12;
 
+// An eigenvalue under 0 by this part of the largest is no rounding.
+constexpr double FarBelow = 1e-3;
+
 // How far the shift moves before another search, in local distances of eigenvalues.
 constexpr double ShiftStep = 0.37;
 
@@ -86,6 +89,7 @@ private:
   Panels Locked(const Band& band) const;
   void AddInInterval(Band found, Band& band) const;
   bool Cut(Band& band, Index target, const Progress& progress);
+  bool IsNonsense(const Band& band) const;
   void Append(Band band, const Progress& progress);
   void TakeOutKnown(Panels& vectors, const Progress& progress) const;
 
@@ -333,6 +337,19 @@ void BandSequence::Append(Band band, const Progress& progress)
   std::move(band.Vectors.begin(), band.Vectors.end(), std::back_inserter(this->Vectors));
 }
 
+// More values than there are, or one far below 0: where the mesh's numbers are all rounding, a search
+// finds anything. What is found stays, so no further search mends it.
+bool BandSequence::IsNonsense(const Band& band) const
+{
+  if (band.Values.empty())
+  {
+    return false;
+  }
+  const double largest = std::max(-band.Values.front(), band.Values.back());
+  return this->Found() + static_cast<Index>(band.Values.size()) > this->Problem.Rank ||
+    band.Values.front() < -FarBelow * largest;
+}
+
 bool BandSequence::SolveBand(const Progress& progress)
 {
   ++this->Bands;
@@ -371,6 +388,10 @@ bool BandSequence::SolveBand(const Progress& progress)
     {
       this->Append(std::move(band), progress.Part(end, 1.0));
       return true;
+    }
+    if (this->IsNonsense(band))
+    {
+      return false;
     }
   }
   return false;
