@@ -454,6 +454,11 @@ TEST(MeshAttack, UnknownAttackAndBadParametersAreErrors)
   attack = AttackOn(PolyData(shapes::Icosphere(0)), vtkMeshAttack::Remeshing);
   attack->SetRemeshingPercent(0.1);
   expectError(attack, "no triangle is left: raise RemeshingPercent");
+  shapes::TriangleMesh needle = shapes::Icosphere(3); // from corner to corner of its bounding box
+  needle.Points *= 1e-4;
+  needle.Points.colwise() += Eigen::VectorXd::LinSpaced(needle.NumberOfVertices(), 0.0, 1.0).eval();
+  expectError(AttackOn(PolyData(needle), vtkMeshAttack::Remeshing),
+    "too thin for its extent to be remeshed uniformly");
   attack = AttackOn(mesh, vtkMeshAttack::Cropping);
   attack->SetCroppingPercent(99.0);
   expectError(attack, "no polygon is left");
