@@ -6,7 +6,7 @@ BUILD_PACKAGES=(g++ cmake ninja-build libvtk9-dev python3-vtk9 python3-numpy lib
 DEMO_PACKAGES=(glmark2-data xvfb xauth libgl1-mesa-dri)
 TEST_PACKAGES=(libgtest-dev clang-format doxygen)
 PARAVIEW_PACKAGES=(paraview paraview-dev libqt5svg5 dpkg-dev xvfb xauth libgl1-mesa-dri)
-FULL_TEST_PACKAGES=(chromium mypy clang clang-tidy libomp-dev valgrind)
+FULL_TEST_PACKAGES=(chromium mypy clang clang-tidy libomp-dev llvm valgrind)
 
 install_missing() {
   local package missing=()

@@ -47,6 +47,8 @@ if [ $full = yes ]; then
   cmake --preset fuzz
   cmake --build --preset fuzz --target Fuzzers
   ctest --preset fuzz
+  echo "== coverage"
+  Testing/Coverage/coverage.sh
   echo "== ParaView plugin"
   Wrapping/ParaView/build.sh
   Wrapping/ParaView/test.sh
@@ -58,6 +60,8 @@ cmake --preset release -DSPECTRALWATERMARK_BUILD_TESTING=ON \
 cmake --build --preset release
 ctest --preset release -j "$jobs"
 if [ $full = yes ]; then
+  echo "== bits and decisions of debug and release"
+  Testing/Determinism/compare.sh
   echo "== valgrind"
   valgrind --quiet --error-exitcode=1 build/bin/FilterTests \
     --gtest_filter='Concurrency.AFilterThat*:MeshAttack.UnknownAttack*'

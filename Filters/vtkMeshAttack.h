@@ -292,7 +292,9 @@ public:
   ///@{
   /**
    * Set/Get how many vertices the uniform Remeshing makes, about, in percent of those there are.
-   * Default 100, from 0.1 to 1000.
+   * Default 100, from 0.1 to 1000. They are gathered in a grid over the bounding box, whose cells
+   * all take memory: an error where there is not enough, and for a mesh that is very thin for its
+   * box.
    */
   vtkSetClampMacro(RemeshingPercent, double, 0.1, 1000.0);
   vtkGetMacro(RemeshingPercent, double);
