@@ -67,6 +67,36 @@ void PrintReading(const std::string& what, vtkPolyData* mesh, int scheme, const 
             << detect->GetDetected() << ", valid " << detect->GetMessageIsValid() << "\n";
 }
 
+void PrintHost(const Host& host, int scheme)
+{
+  vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetInputData(host.Mesh);
+  embed->SetScheme(scheme);
+  embed->SetNumberOfBits(scheme == vtkSpectralWatermarkEmbed::Robust ? 16 : 8);
+  embed->SetSecretKey("the owner");
+  embed->SetMessage(""); // of the key, as detection looks for
+  embed->Update();
+  const std::string name = host.Name + ", " + embed->GetSchemeAsString();
+  std::cout << name << ": embedded " << embed->GetExtractedMessage() << ", converged "
+            << embed->GetConverged() << "\n";
+  PrintReading(name + ", unmarked", host.Mesh, scheme, "the owner");
+  if (embed->GetOutput()->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  for (const char* key : { "the owner", "another" })
+  {
+    PrintReading(name + ", marked", embed->GetOutput(), scheme, key);
+  }
+  for (const auto& attack : Attacks())
+  {
+    attack->SetInputConnection(embed->GetOutputPort());
+    attack->Update();
+    PrintReading(name + ", " + attack->GetAttackAsString(), attack->GetOutput(), scheme,
+      "the owner");
+  }
+}
+
 } // namespace
 
 int main()
@@ -74,36 +104,13 @@ int main()
   vtkObject::GlobalWarningDisplayOff();
   for (const Host& host : Hosts())
   {
-    for (const int scheme :
-      { vtkSpectralWatermarkEmbed::PaperSlots, vtkSpectralWatermarkEmbed::Robust })
+    // Not on the sphere: its eigenvalues repeat, and rounding decides which harmonics span each of their
+    // spaces, so that the paper's magnitudes differ between builds.
+    if (host.Name != "sphere")
     {
-      vtkNew<vtkSpectralWatermarkEmbed> embed;
-      embed->SetInputData(host.Mesh);
-      embed->SetScheme(scheme);
-      embed->SetNumberOfBits(scheme == vtkSpectralWatermarkEmbed::Robust ? 16 : 8);
-      embed->SetSecretKey("the owner");
-      embed->SetMessage(""); // of the key, as detection looks for
-      embed->Update();
-      const std::string name = host.Name + ", " + embed->GetSchemeAsString();
-      std::cout << name << ": embedded " << embed->GetExtractedMessage() << ", converged "
-                << embed->GetConverged() << "\n";
-      PrintReading(name + ", unmarked", host.Mesh, scheme, "the owner");
-      if (embed->GetOutput()->GetNumberOfPoints() == 0)
-      {
-        continue;
-      }
-      for (const char* key : { "the owner", "another" })
-      {
-        PrintReading(name + ", marked", embed->GetOutput(), scheme, key);
-      }
-      for (const auto& attack : Attacks())
-      {
-        attack->SetInputConnection(embed->GetOutputPort());
-        attack->Update();
-        PrintReading(name + ", " + attack->GetAttackAsString(), attack->GetOutput(), scheme,
-          "the owner");
-      }
+      PrintHost(host, vtkSpectralWatermarkEmbed::PaperSlots);
     }
+    PrintHost(host, vtkSpectralWatermarkEmbed::Robust);
   }
   return 0;
 }
