@@ -19,6 +19,11 @@ constexpr std::uint32_t Words = 1U << GolayDataBits;
 constexpr std::uint32_t Generator = 0xae3; // of degree 11
 constexpr int CheckBits = 11;
 
+std::size_t WeightOf(std::uint32_t word)
+{
+  return std::bitset<GolayCodeBits>(word).count();
+}
+
 std::uint32_t Encode(std::uint32_t data)
 {
   std::uint32_t remainder = data << CheckBits;
@@ -30,12 +35,7 @@ std::uint32_t Encode(std::uint32_t data)
     }
   }
   const std::uint32_t word = data | remainder << GolayDataBits;
-  std::uint32_t parity = 0;
-  for (std::uint32_t rest = word; rest != 0; rest &= rest - 1)
-  {
-    parity ^= 1U;
-  }
-  return word | parity << (GolayCodeBits - 1);
+  return word | static_cast<std::uint32_t>(WeightOf(word) % 2) << (GolayCodeBits - 1);
 }
 
 constexpr int OctadBits = 8;
@@ -96,10 +96,11 @@ struct Trio
     this->Octads = { PlacesOf(first), PlacesOf(second), PlacesOf(AllOfWord ^ first ^ second) };
     for (std::uint32_t data = 0; data < Words; ++data)
     {
+      const std::uint32_t word = Encode(data);
       std::array<std::uint32_t, Parts> patterns{};
       for (std::size_t part = 0; part < Parts; ++part)
       {
-        patterns[part] = PatternIn(this->Octads[part], Encode(data));
+        patterns[part] = PatternIn(this->Octads[part], word);
       }
       if (((patterns[0] | patterns[1] | patterns[2]) >> (OctadBits - 1)) == 0)
       {
@@ -115,7 +116,7 @@ private:
     for (std::uint32_t data = 0; data < Words; ++data)
     {
       const std::uint32_t word = Encode(data);
-      if ((word & taken) == 0 && std::bitset<GolayCodeBits>(word).count() == OctadBits)
+      if ((word & taken) == 0 && WeightOf(word) == OctadBits)
       {
         return word;
       }

@@ -20,7 +20,7 @@ constexpr int GolayCodeBits = 24;
 /// The lowest 12 bits are the data's, the others the check's.
 std::uint32_t GolayEncode(std::uint32_t data);
 
-/// The data whose word fits 24 soft bits best, the smallest among equals. Soft bits are positive where
+/// The data whose word fits 24 soft bits best, always the same among equals. Soft bits are positive where
 /// they say 0; `fit` becomes their sum, each with the sign that the word gives it.
 std::uint32_t GolayDecode(const Eigen::RowVectorXf& soft, float& fit);
 
