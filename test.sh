@@ -3,8 +3,8 @@
 #
 #   ./test.sh          the quick set: what every change must pass
 #   ./test.sh --full   also: the filters under the sanitizers and valgrind, clang with warnings as errors,
-#                      clang-tidy, fuzzing, the ParaView plugin, large scans in every mode, and the packages in
-#                      a clean root
+#                      clang-tidy, fuzzing, coverage, debug beside release, the ParaView plugin, large scans in
+#                      every mode, and the packages in a clean root
 #
 # Tests on real scans look in SPECTRALWATERMARK_MESH_DIR and skip without it (see CONTRIBUTING.md).
 set -euo pipefail

@@ -74,7 +74,7 @@ Eigen::VectorXd PanelResiduals(const Eigen::SparseMatrix<double>& stiffness,
 /// Solves the problem with bands that are cut where the spectrum has a gap. The eigenvalues of a
 /// band are counted by inertia at both of its cuts, so that a multiple eigenvalue is neither lost
 /// nor repeated: what a solver misses is looked for again, with all that was found locked, until
-/// the count is right.
+/// the count is right, or what it finds cannot be a spectrum.
 EigenPairs SolveByBands(const EigenProblem& problem, const EigensolverOptions& options,
   ShiftInvertSolver& solver, const Progress& progress);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/BandedSolve.h"
 #include "Core/BlockLanczosEigensolver.h"
 #include "Core/DenseEigensolver.h"
 #include "Core/Errors.h"
@@ -13,6 +14,8 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace spectralwatermark;
 
@@ -353,9 +356,8 @@ TEST(Eigensolvers, NumbersThatAreDamagedAreRefused)
   notANumber.Stiffness.coeffRef(7, 7) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(FailureOf(BlockLanczosEigensolver(), notANumber), brokeDown);
   EXPECT_EQ(FailureOf(SpectraEigensolver(), notANumber),
-    "the eigensolver gave up (TridiagEigen: eigen decomposition failed): remove the mesh's "
-    "thinnest "
-    "triangles, or ask for fewer harmonics");
+    "the eigensolver gave up (TridiagEigen: eigen decomposition failed): remove the "
+    "mesh's thinnest triangles, or ask for fewer harmonics");
   EXPECT_EQ(FailureOf(DenseEigensolver(), notANumber), "the dense eigensolver did not converge");
 
   OwnedProblem withoutARow(shapes::Bumpy(3));
@@ -365,6 +367,60 @@ TEST(Eigensolvers, NumbersThatAreDamagedAreRefused)
   }
   EXPECT_EQ(FailureOf(BlockLanczosEigensolver(), withoutARow), brokeDown);
   EXPECT_EQ(FailureOf(SpectraEigensolver(), withoutARow), brokeDown);
+}
+
+// Counts what it is asked, and finds the same values every time, none of them an eigenvalue.
+class FindsNonsense : public ShiftInvertSolver
+{
+public:
+  FindsNonsense(const OwnedProblem& problem, std::vector<double> values)
+    : Problem(problem)
+    , Values(std::move(values))
+    , SameOrder(Eigen::VectorXi::LinSpaced(problem.Mass.rows(), 0,
+        static_cast<int>(problem.Mass.rows()) - 1))
+  {
+  }
+
+  Index DefaultBandSize(Index /*wanted*/) const override { return 20; }
+  bool FirstShiftInside() const override { return false; }
+  Index Factorize(double /*shift*/, const Progress& /*progress*/) override { return 0; }
+  Band FindNearest(BandRequest /*request*/, const Progress& /*progress*/) override
+  {
+    ++this->Searches;
+    Band band;
+    band.Values = this->Values;
+    band.Vectors.assign((this->Values.size() + PanelWidth - 1) / PanelWidth,
+      Panel::Zero(this->Problem.Mass.rows(), PanelWidth));
+    return band;
+  }
+  const SparseMatrix& Stiffness() const override { return this->Problem.Stiffness; }
+  const SparseMatrix& Mass() const override { return this->Problem.Mass; }
+  const Eigen::VectorXi& Order() const override { return this->SameOrder; }
+
+  int Searches = 0;
+
+private:
+  const OwnedProblem& Problem;
+  std::vector<double> Values;
+  Eigen::VectorXi SameOrder;
+};
+
+int SearchesThatFind(std::vector<double> values)
+{
+  const OwnedProblem problem(shapes::Icosphere(1)); // of 42 vertices
+  FindsNonsense solver(problem, std::move(values));
+  EigensolverOptions options;
+  options.Count = 20;
+  EXPECT_FALSE(SolveByBands(problem.View(), options, solver, Progress()).Complete);
+  return solver.Searches;
+}
+
+// What is found stays, so that more searches would not mend it.
+TEST(Eigensolvers, ASearchThatFindsNoSpectrumIsGivenUp)
+{
+  EXPECT_EQ(SearchesThatFind({ -1.0, 2.0, 3.0 }), 1) << "one far below 0";
+  EXPECT_EQ(SearchesThatFind(std::vector<double>(30, 5.0)), 2) << "60 of 42";
+  EXPECT_EQ(SearchesThatFind({ -1e-9, 2.0, 3.0 }), 12) << "a rounding under 0";
 }
 
 TEST(Eigensolvers, VectorsThatDependOnEachOtherAreRefused)

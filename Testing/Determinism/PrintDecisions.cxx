@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints the bits and decisions of some hundred embeddings and detections. Builds of different
+// Prints the bits and decisions of some eighty embeddings and detections. Builds of different
 // optimisation round differently; what they print is the same (compare.sh).
 #include "Support/FilterTesting.h"
 
