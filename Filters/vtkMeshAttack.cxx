@@ -244,6 +244,8 @@ void vtkMeshAttack::MovePoints(vtkPolyData* input, vtkPolyData* output)
   sw::CheckFinite("NoisePercent", this->NoisePercent);
   sw::CheckFinite("SmoothingFactor", this->SmoothingFactor);
   const sw::PolyDataMesh mesh = sw::ToMesh(input);
+  constexpr double bytesOfTriangle = 225.0; // at the peak, as measured of smoothing
+  sw::RequireMemoryForTriangles(mesh.Mesh.NumberOfTriangles(), bytesOfTriangle);
   const sw::Progress progress = sw::ProgressOf(this);
   const auto seed = static_cast<std::uint64_t>(this->Seed);
   progress.Report(0.3);
@@ -288,6 +290,8 @@ void vtkMeshAttack::Simplify(vtkPolyData* input, vtkPolyData* output)
   sw::CheckFinite("SimplificationPercent", this->SimplificationPercent);
   // The merged mesh, so that seams do not tear.
   const sw::PolyDataMesh mesh = sw::ToMesh(input);
+  constexpr double bytesOfTriangle = 565.0; // at the peak, as measured
+  sw::RequireMemoryForTriangles(mesh.Mesh.NumberOfTriangles(), bytesOfTriangle);
   const bool storesFloat = sw::StoresFloat(input, this->OutputPointsPrecision);
   vtkNew<vtkQuadricDecimation> decimate;
   decimate->SetInputData(sw::ToPolyData(mesh.Mesh, false));

@@ -2,6 +2,7 @@
 #include "vtkMeshDistortion.h"
 
 #include "Core/Distortion.h"
+#include "Core/MemoryLimit.h"
 #include "Core/StructuralDistortion.h"
 #include "Private/FilterRun.h"
 #include "Private/PerceptualDistance.h"
@@ -18,6 +19,7 @@
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace sw = spectralwatermark;
 
@@ -71,12 +73,22 @@ bool Correspond(vtkPolyData* a, vtkPolyData* b)
 
 struct vtkMeshDistortion::Surfaces
 {
-  Surfaces(vtkPolyData* reference, vtkPolyData* distorted)
-    : Before(sw::ToMesh(reference))
-    , After(sw::ToMesh(distorted))
+  Surfaces(sw::PolyDataMesh reference, sw::PolyDataMesh distorted)
+    : Before(std::move(reference))
+    , After(std::move(distorted))
     , OnBefore(this->Before.Mesh)
     , OnAfter(this->After.Mesh)
   {
+  }
+
+  static Surfaces Of(vtkPolyData* reference, vtkPolyData* distorted)
+  {
+    sw::PolyDataMesh before = sw::ToMesh(reference);
+    sw::PolyDataMesh after = sw::ToMesh(distorted);
+    constexpr double bytesOfTriangle = 320.0; // at the peak, as measured
+    sw::RequireMemoryForTriangles(before.Mesh.NumberOfTriangles() + after.Mesh.NumberOfTriangles(),
+      bytesOfTriangle);
+    return Surfaces(std::move(before), std::move(after));
   }
 
   // Of a distorted mesh whose points correspond.
@@ -118,7 +130,7 @@ int vtkMeshDistortion::RequestData(vtkInformation*, vtkInformationVector** input
       sw::ProgressOf(this).Report(0.1);
       if (this->ComputeSurfaceDistances || this->ComputePerceptualDistances)
       {
-        const Surfaces surfaces(reference, distorted);
+        const Surfaces surfaces = Surfaces::Of(reference, distorted);
         if (this->ComputeSurfaceDistances)
         {
           this->CompareSurfaces(surfaces, output);

@@ -2,6 +2,7 @@
 #include "vtkSpectralWatermarkAlgorithm.h"
 
 #include "Core/Errors.h"
+#include "Core/MemoryLimit.h"
 #include "Core/SecretKey.h"
 #include "Core/SlotWatermark.h"
 
@@ -20,6 +21,11 @@ vtkSpectralWatermarkAlgorithm::vtkSpectralWatermarkAlgorithm()
 vtkSpectralWatermarkAlgorithm::~vtkSpectralWatermarkAlgorithm()
 {
   sw::Wipe(this->SecretKey);
+}
+
+double vtkSpectralWatermarkAlgorithm::GetAvailableMemory()
+{
+  return sw::AvailableMemory();
 }
 
 namespace

@@ -53,6 +53,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
+   * The bytes that this process may still take: what the machine has free, with swap, or what limits of
+   * the shell (`ulimit -v`) or of control groups, as of containers, leave of it. Infinite where that is
+   * not known, as on other systems than Linux. The filters ask before they start; so can who reads a
+   * large file for them.
+   */
+  static double GetAvailableMemory();
+
+  /**
    * Watermarking schemes.
    */
   enum SchemeType

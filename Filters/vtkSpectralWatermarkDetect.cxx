@@ -3,6 +3,7 @@
 
 #include "Core/Detection.h"
 #include "Core/Errors.h"
+#include "Core/MemoryLimit.h"
 #include "Core/SecretKey.h"
 #include "Core/SolidReader.h"
 #include "Private/CarrierTable.h"
@@ -94,6 +95,8 @@ void vtkSpectralWatermarkDetect::ReadSlots(vtkPolyData* input, vtkTable* table)
 void vtkSpectralWatermarkDetect::ReadSolid(vtkPolyData* input, vtkTable* table)
 {
   const sw::PolyDataMesh mesh = sw::ToMesh(input);
+  constexpr double bytesOfTriangle = 455.0; // at the peak, as measured
+  sw::RequireMemoryForTriangles(mesh.Mesh.NumberOfTriangles(), bytesOfTriangle);
   const std::unique_ptr<sw::SecretKey> key = this->ReadRobustKey();
   const std::string wanted = this->WantedMessage(this->GetHasSecretKey() ? key.get() : nullptr);
   const sw::Index bits =

@@ -70,8 +70,9 @@ public:
     }
     if (!this->Begin(std::move(random)))
     {
-      throw SolverFailure("the mesh has too few vertices with area for the solver to work on: ask "
-                          "for fewer harmonics, or remove its triangles without area");
+      throw SolverFailure(
+        "the mesh has too few vertices with area for this solver: leave its choice "
+        "to the filter, ask for fewer harmonics, or remove triangles without area");
     }
   }
 

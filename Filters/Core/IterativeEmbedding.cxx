@@ -42,6 +42,7 @@ EmbeddingResult EmbedMessage(const TriangleMesh& original, const EmbeddingOption
   harmonicsOptions.Count = ComponentsNeeded(options.Slots, bits);
   harmonicsOptions.Tolerance = options.Tolerance;
   harmonicsOptions.Threads = options.Threads;
+  RequireMemoryForHarmonics(original.NumberOfVertices(), harmonicsOptions.Count, 1);
 
   EmbeddingResult result;
   TriangleMesh mesh = original;

@@ -90,7 +90,7 @@ void CheckCount(const HarmonicsOptions& options, Index available)
 // At the peak, as measured (Testing/Benchmark/scaling.csv, within 10 % from 35,000 vertices and 50
 // harmonics up): the factors and what makes them, for each harmonic its vector and the Lanczos vectors
 // of its band; of the dense solver, five matrices.
-double MemoryOf(SolverChoice choice, Index vertices, const HarmonicsOptions& options)
+double MemoryOf(SolverChoice choice, Index vertices, Index count)
 {
   constexpr double factorsOfVertex = 3900.0;
   constexpr double vectorsOfVertex = 17.0;
@@ -100,7 +100,16 @@ double MemoryOf(SolverChoice choice, Index vertices, const HarmonicsOptions& opt
   {
     return matrices * n * n;
   }
-  return n * (factorsOfVertex + vectorsOfVertex * static_cast<double>(options.Count));
+  return n * (factorsOfVertex + vectorsOfVertex * static_cast<double>(count));
+}
+
+void RequireMemoryFor(SolverChoice choice, Index vertices, Index count, Index otherBases)
+{
+  const double bytesOfBasis = sizeof(double) * static_cast<double>(vertices * count);
+  RequireMemory(MemoryOf(choice, vertices, count) + static_cast<double>(otherBases) * bytesOfBasis,
+    std::to_string(count) + " harmonics of " + std::to_string(vertices) + " vertices",
+    choice == SolverChoice::Dense ? "choose another solver, or simplify the mesh first"
+                                  : "ask for fewer harmonics, or simplify the mesh first");
 }
 
 void FixSigns(Eigen::MatrixXd& basis)
@@ -127,15 +136,21 @@ std::string Scientific(double value)
   return text.str();
 }
 
+const char* SolverAdvice(const HarmonicsOptions& options)
+{
+  return options.Solver == SolverChoice::Automatic
+    ? ""
+    : "leave the choice of the solver to the filter, ";
+}
+
 void CheckConvergence(const EigenProblem& problem, const EigenPairs& pairs,
   const HarmonicsOptions& options)
 {
   if (!pairs.Complete)
   {
     throw SolverFailure("only " + std::to_string(pairs.Values.size()) + " of " +
-      std::to_string(options.Count) +
-      " harmonics could be computed completely: ask for fewer, or "
-      "for another band size");
+      std::to_string(options.Count) + " harmonics could be computed completely: " +
+      SolverAdvice(options) + "ask for fewer, or for another band size");
   }
   Index failed = 0;
   for (Index k = 0; k < pairs.Values.size(); ++k)
@@ -176,6 +191,11 @@ void Sort(EigenPairs& pairs, Index kernel)
 
 } // namespace
 
+void RequireMemoryForHarmonics(Index vertices, Index count, Index otherBases)
+{
+  RequireMemoryFor(ChooseSolver(vertices, vertices, count), vertices, count, otherBases);
+}
+
 ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
   const HarmonicsOptions& options, const Progress& progress)
 {
@@ -205,11 +225,10 @@ ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
     ? ChooseSolver(mesh.NumberOfVertices(), op.Rank, options.Count)
     : options.Solver;
   const std::unique_ptr<Eigensolver> solver = CreateSolver(choice, mesh.NumberOfVertices());
-  RequireMemory(MemoryOf(choice, mesh.NumberOfVertices(), options),
-    std::to_string(options.Count) + " harmonics of " + std::to_string(mesh.NumberOfVertices()) +
-      " vertices",
-    choice == SolverChoice::Dense ? "choose another solver, or simplify the mesh first"
-                                  : "ask for fewer harmonics, or simplify the mesh first");
+  if (options.Nearby == nullptr) // else it was asked for both at once
+  {
+    RequireMemoryFor(choice, mesh.NumberOfVertices(), options.Count, 0);
+  }
   EigenPairs pairs = solver->Solve(problem, solverOptions, progress.Part(0.02, 0.98));
   CheckConvergence(problem, pairs, options);
   Sort(pairs, op.Kernel.cols());

@@ -30,7 +30,8 @@ struct HarmonicsOptions
   int Threads = 1;                      ///< at most; the result does not depend on it
   SolverChoice Solver = SolverChoice::Automatic;
   /// Of a mesh with the same triangles and nearly the same points: makes it faster. The result
-  /// differs by no more than the tolerance.
+  /// differs by no more than the tolerance. Memory is then not asked for:
+  /// RequireMemoryForHarmonics() did so for both bases, before the first.
   const ManifoldHarmonics* Nearby = nullptr;
 };
 
@@ -48,6 +49,10 @@ struct ManifoldHarmonics
 
   Index Count() const { return this->Basis.cols(); }
 };
+
+/// Throws InvalidInput when there is too little memory to compute so many harmonics, beside other bases of
+/// that size.
+void RequireMemoryForHarmonics(Index vertices, Index count, Index otherBases);
 
 /// Computes the basis. The sign is such that each harmonic's entry of largest magnitude is
 /// positive (the first of them, when several agree to 1e-6); the constant is positive.

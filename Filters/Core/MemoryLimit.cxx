@@ -162,4 +162,10 @@ void RequireMemory(double bytes, const std::string& work, const std::string& adv
   }
 }
 
+void RequireMemoryForTriangles(Index triangles, double bytesOfTriangle)
+{
+  RequireMemory(bytesOfTriangle * static_cast<double>(triangles),
+    std::to_string(triangles) + " triangles", "simplify the mesh first");
+}
+
 } // namespace spectralwatermark

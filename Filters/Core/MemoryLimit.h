@@ -4,6 +4,8 @@
 #ifndef SpectralWatermark_Core_MemoryLimit_h
 #define SpectralWatermark_Core_MemoryLimit_h
 
+#include "TriangleMesh.h"
+
 #include <string>
 
 namespace spectralwatermark
@@ -17,6 +19,9 @@ double AvailableMemory();
 /// Throws InvalidInput when `bytes` are more than that. `work` is what needs them, in the plural;
 /// `advice` is what the user can do.
 void RequireMemory(double bytes, const std::string& work, const std::string& advice);
+
+/// The same, where so many bytes are needed for each triangle.
+void RequireMemoryForTriangles(Index triangles, double bytesOfTriangle);
 
 } // namespace spectralwatermark
 

@@ -116,8 +116,8 @@ TriangleMesh Subdivide(const TriangleMesh& mesh, Subdivision kind, int times, vt
   UpdateInside(subdivide, filter, 0.1, 0.9);
   if (subdivide->GetOutput()->GetNumberOfPolys() == 0)
   {
-    throw InvalidInput("the surface cannot be subdivided: Loop's rule needs edges with one or two "
-                       "triangles that are oriented alike");
+    throw InvalidInput("the surface cannot be subdivided: an edge has more than two triangles, or "
+                       "its triangles are turned against each other");
   }
   return ToMesh(subdivide->GetOutput(), CoincidentPoints::Keep).Mesh;
 }

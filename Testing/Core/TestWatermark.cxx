@@ -131,6 +131,10 @@ TEST(SlotWatermark, ContradictoryOptionsAreRefused)
   slots.CarrierPosition = 1;
   EXPECT_THROW(CheckSlots(slots, 5), InvalidInput);
   slots = SlotOptions();
+  slots.SlotSize = 3;
+  slots.CarrierPosition = 2;
+  EXPECT_THROW(CheckSlots(slots, 5), InvalidInput);
+  slots = SlotOptions();
   slots.FirstComponent = 1;
   EXPECT_THROW(CheckSlots(slots, 5), InvalidInput);
   slots = SlotOptions();

@@ -328,6 +328,25 @@ TEST(BadInput, HarmonicsThatCannotBeComputed)
     vtkErrorCode::UnknownError);
 }
 
+TEST(BadInput, SolversThatTheMeshIsTooSmallFor)
+{
+  vtkNew<vtkManifoldHarmonics> harmonics;
+  harmonics->SetInputData(PolyData(shapes::Icosphere(0))); // 12 vertices
+  harmonics->SetNumberOfHarmonics(10);
+  harmonics->SetSolverToBlockLanczos();
+  ExpectErrorFrom(harmonics,
+    "too few vertices with area for this solver: leave its choice to the filter",
+    vtkErrorCode::UnknownError);
+  harmonics->SetSolverToSpectra();
+  ExpectErrorFrom(harmonics,
+    "only 1 of 10 harmonics could be computed completely: leave the choice of the solver to the "
+    "filter, ask",
+    vtkErrorCode::UnknownError);
+  harmonics->SetSolverToAutomatic();
+  harmonics->Update();
+  EXPECT_EQ(harmonics->GetErrorCode(), vtkErrorCode::NoError);
+}
+
 TEST(BadInput, HarmonicsThatCannotBeCompleted)
 {
   if (std::getenv("SPECTRALWATERMARK_FULL_TESTS") == nullptr)

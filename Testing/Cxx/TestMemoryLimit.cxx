@@ -6,11 +6,17 @@
 #include <vtkErrorCode.h>
 #include <vtkManifoldHarmonics.h>
 #include <vtkMeshAttack.h>
+#include <vtkMeshDistortion.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkSpectralWatermarkDetect.h>
 #include <vtkSpectralWatermarkEmbed.h>
 
 #include <gtest/gtest.h>
+
+#include <memory>
+#include <new>
+#include <vector>
 
 #ifndef SPECTRALWATERMARK_NO_ADDRESS_LIMIT
 
@@ -19,13 +25,14 @@ using namespace filtertesting;
 namespace
 {
 
-constexpr double Little = 120e6;
+constexpr double Little = 60e6;
 
-void ExpectRefusal(vtkPolyDataAlgorithm* filter, const std::string& work, const std::string& advice)
+void ExpectRefusal(vtkPolyDataAlgorithm* filter, const std::string& work, const std::string& advice,
+  double free = Little)
 {
   Listener listener(filter);
   {
-    const AddressSpaceLimit limit(Little);
+    const AddressSpaceLimit limit(free);
     ASSERT_TRUE(limit.Holds());
     filter->Update();
   }
@@ -38,6 +45,11 @@ void ExpectRefusal(vtkPolyDataAlgorithm* filter, const std::string& work, const 
 vtkSmartPointer<vtkPolyData> LargeSphere()
 {
   return PolyData(shapes::Icosphere(6)); // 40,962 vertices
+}
+
+vtkSmartPointer<vtkPolyData> HugeSphere()
+{
+  return PolyData(shapes::Icosphere(7)); // 327,680 triangles
 }
 
 } // namespace
@@ -68,6 +80,77 @@ TEST(MemoryLimit, Embedding)
   embed->SetInputData(LargeSphere());
   embed->SetSecretKey("an owner");
   ExpectRefusal(embed, "64 bits in 40962 vertices", "embed fewer bits");
+}
+
+// One basis would fit; the second is computed beside it.
+TEST(MemoryLimit, EmbeddingByThePaper)
+{
+  vtkNew<vtkSpectralWatermarkEmbed> embed;
+  embed->SetInputData(LargeSphere());
+  embed->SetSchemeToPaperSlots();
+  embed->SetMessage("1011001110001111");
+  ExpectRefusal(embed, "180 harmonics of 40962 vertices", "ask for fewer harmonics",
+    40962 * (3900 + 20 * 180));
+}
+
+TEST(MemoryLimit, Detection)
+{
+  vtkNew<vtkSpectralWatermarkDetect> detect;
+  detect->SetInputData(HugeSphere());
+  detect->SetSecretKey("an owner");
+  ExpectRefusal(detect, "327680 triangles", "simplify the mesh first");
+}
+
+TEST(MemoryLimit, Distortion)
+{
+  vtkNew<vtkMeshDistortion> distortion;
+  distortion->SetInputData(0, HugeSphere());
+  distortion->SetInputData(1, HugeSphere());
+  ExpectRefusal(distortion, "655360 triangles", "simplify the mesh first");
+  EXPECT_EQ(distortion->GetMSDM2(), -1.0);
+}
+
+TEST(MemoryLimit, AttacksOnTheMeshAsItIs)
+{
+  vtkNew<vtkMeshAttack> attack;
+  attack->SetInputData(HugeSphere());
+  for (const int kind : { vtkMeshAttack::LaplacianSmoothing, vtkMeshAttack::Simplification })
+  {
+    attack->SetAttack(kind);
+    ExpectRefusal(attack, "327680 triangles", "simplify the mesh first");
+  }
+}
+
+// Too little for what no estimate asks about.
+TEST(MemoryLimit, AnAllocationThatFails)
+{
+  vtkNew<vtkMeshAttack> attack;
+  attack->SetInputData(LargeSphere());
+  attack->SetAttackToNoiseUniform();
+  Listener listener(attack);
+  {
+    const AddressSpaceLimit limit(0.0);
+    ASSERT_TRUE(limit.Holds());
+    constexpr std::size_t piece = 1 << 18;               // less than any array of this mesh
+    std::vector<std::unique_ptr<char[]>> taken(1 << 12); // what is free inside the process
+    for (auto& bytes : taken)
+    {
+      bytes.reset(new (std::nothrow) char[piece]);
+    }
+    ASSERT_EQ(taken.back(), nullptr);
+    attack->Update();
+  }
+  EXPECT_EQ(attack->GetErrorCode(), vtkErrorCode::UnknownError);
+  EXPECT_NE(listener.Errors.find("not enough memory: "), std::string::npos) << listener.Errors;
+  EXPECT_EQ(attack->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(MemoryLimit, WhatIsFreeIsTold)
+{
+  const AddressSpaceLimit limit(Little);
+  ASSERT_TRUE(limit.Holds());
+  EXPECT_LE(vtkSpectralWatermarkAlgorithm::GetAvailableMemory(), Little);
+  EXPECT_GT(vtkSpectralWatermarkAlgorithm::GetAvailableMemory(), 0.5 * Little);
 }
 
 TEST(MemoryLimit, Attacks)

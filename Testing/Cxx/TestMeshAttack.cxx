@@ -415,6 +415,21 @@ TEST(MeshAttack, AnIsosurfaceIsThatOfTheUnion)
   EXPECT_LT(bounds[1] - bounds[0], 3.0 + 0.05);
 }
 
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> ThreeOnOneEdge()
+{
+  shapes::TriangleMesh fins;
+  fins.Points.resize(5, 3);
+  fins.Points << 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1.0;
+  fins.Triangles.resize(3, 3);
+  fins.Triangles << 0, 1, 2, 0, 1, 3, 0, 1, 4;
+  return PolyData(fins);
+}
+
+} // namespace
+
 TEST(MeshAttack, UnknownAttackAndBadParametersAreErrors)
 {
   const auto mesh = PolyData(shapes::Bumpy(1));
@@ -439,6 +454,12 @@ TEST(MeshAttack, UnknownAttackAndBadParametersAreErrors)
   attack = AttackOn(mesh, vtkMeshAttack::Subdivision);
   attack->SetSubdivisionType(5);
   expectError(attack, "subdivision type 5 is unknown");
+  attack = AttackOn(ThreeOnOneEdge(), vtkMeshAttack::Subdivision);
+  for (const int rule : { vtkMeshAttack::Midpoint, vtkMeshAttack::Loop })
+  {
+    attack->SetSubdivisionType(rule);
+    expectError(attack, "cannot be subdivided: an edge has more than two triangles");
+  }
   attack = AttackOn(mesh, vtkMeshAttack::Remeshing);
   attack->SetRemeshingMethod(-1);
   expectError(attack, "remeshing method -1 is unknown");

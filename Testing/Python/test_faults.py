@@ -167,6 +167,28 @@ class MemoryTest(InFolder):
                             " are free: lower IsosurfaceResolution")
         self.assertNotIn("out.ply", self.files())
 
+    def test_a_file_larger_than_memory_is_not_read(self):
+        for suffix in (".ply", ".obj", ".stl", ".vtp", ".off"):
+            with open(self.folder / ("huge" + suffix), "wb") as file:
+                file.truncate(1 << 40)  # takes no room on the disk
+            done = self.run_in_folder(*self.command("info", "huge" + suffix))
+            self.assert_refused(done, f"huge{suffix}: to read it needs at least ", " GB of memory, and ",
+                                " GB are free; close other programs")
+
+    def test_being_killed_is_said(self):
+        """As the system does where a process takes memory that is not there."""
+        with subprocess.Popen(self.command("info", "model.ply", "--capacity"), cwd=self.folder,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              text=True) as process:
+            children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
+            while not children.read_text():
+                time.sleep(0.01)
+            os.kill(int(children.read_text()), signal.SIGKILL)
+            said, error = process.communicate()
+        self.assertEqual((process.returncode, said), (ERROR, ""))
+        self.assertEqual(error, "spectral-watermark: model.ply: not done: killed, as the system does when "
+                                "memory runs out; close other programs\n")
+
 
 if __name__ == "__main__":
     unittest.main()

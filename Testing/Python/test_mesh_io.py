@@ -400,6 +400,27 @@ class ReadingTest(InFolder):
         for suffix in (*WRITTEN, ".off"):
             self.assert_refused(read_mesh, self.file(f"empty{suffix}", b""), "empty")
 
+    def test_less_memory_than_reading_takes(self):
+        """Small files are not asked about beforehand."""
+        rows = 40_000
+        path = self.file("model.off", b"OFF\n%d %d 0\n" % (rows, rows) + rows * b"1 2 3\n" + rows * b"3 0 1 2\n")
+        child = """
+import resource
+import sys
+from spectralwatermark.mesh_io import MeshFileError, read_mesh
+with open("/proc/self/statm") as file:
+    limit = int(file.read().split()[0]) * resource.getpagesize() + 2_000_000
+resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+try:
+    read_mesh(sys.argv[1])
+except MeshFileError as error:
+    print(error)
+"""
+        done = subprocess.run([sys.executable, "-c", child, path], capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout, f"{path}: not enough memory to read it; close other programs, or simplify "
+                                      "the mesh elsewhere first\n")
+
     def test_no_polygons(self):
         writer = vtkXMLPolyDataWriter()
         writer.SetInputData(triangle(faces=()))

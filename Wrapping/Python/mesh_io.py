@@ -84,14 +84,18 @@ def read_mesh(path: str | os.PathLike) -> vtkPolyData:
         raise MeshFileError(f"{path}: no such file; look at its name and folder")
     read = _READERS[_suffix(path, _READERS, "read")]
     try:
-        if path.stat().st_size == 0:
+        size = path.stat().st_size
+        if size == 0:
             raise MeshFileError("the file is empty; save or copy it again")
+        _require_memory(size * _MEMORY_OF_BYTE[path.suffix.lower()])
         mesh = read(path)
         if mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
             raise MeshFileError("no polygons in it; is it a surface mesh?")
         _check_cells(mesh)
     except MeshFileError as error:
         raise MeshFileError(f"{path}: {error}") from None
+    except MemoryError:
+        raise MeshFileError(f"{path}: not enough memory to read it; {_FREE_MEMORY}") from None
     except OSError as error:
         raise MeshFileError(f"{path}: cannot be read: {error.strerror}") from error
     return mesh
@@ -171,6 +175,27 @@ def _suffix(path: Path, formats: dict, verb: str) -> str:
         what = f"{path.suffix} files" if suffix else "a file without a suffix"
         raise MeshFileError(f"{path}: cannot {verb} {what}; use one of {', '.join(formats)}")
     return suffix
+
+
+# --- Memory ------------------------------------------------------------------------------------
+
+# What reading takes at the peak for each byte of a file: the least that was measured, of a mesh of a
+# million triangles. Text, and compressed files, take up to four times as much.
+_MEMORY_OF_BYTE = {".ply": 5.0, ".obj": 3.5, ".stl": 1.1, ".vtp": 4.0, ".off": 20.0}
+_LITTLE_MEMORY = 50e6  # not worth asking
+_FREE_MEMORY = "close other programs, or simplify the mesh elsewhere first"
+
+
+def _require_memory(needed: float) -> None:
+    """Linux grants what is not there, and kills the process that uses it."""
+    if needed <= _LITTLE_MEMORY:
+        return
+    from . import vtkSpectralWatermarkAlgorithm
+
+    free = vtkSpectralWatermarkAlgorithm.GetAvailableMemory()
+    if needed > free:
+        raise MeshFileError(f"to read it needs at least {needed / 1e9:.1f} GB of memory, and "
+                            f"{free / 1e9:.1f} GB are free; {_FREE_MEMORY}")
 
 
 # --- VTK's readers and writers -----------------------------------------------------------------

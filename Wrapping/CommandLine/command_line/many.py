@@ -81,7 +81,7 @@ def _run_one(request: dict) -> dict:
         if terminal.stopped():
             return _stopped(request)
         last = complaints.decode(errors="replace").strip().splitlines()[-1:] or [
-            f"the process that read it ended with {process.returncode}; is the file damaged?"]
+            terminal.why_it_ended(process.returncode)]
         return {"file": request["input"], "error": f"{request['input']}: {last[0]}"}
 
 

@@ -150,6 +150,15 @@ def _remember(_number: int, _frame) -> None:
         os.kill(_child, signal.SIGTERM if _times_stopped == 1 else signal.SIGKILL)
 
 
+def why_it_ended(code: int) -> str:
+    """What is said of a process whose work did not come to an end."""
+    if stopped():
+        return "not done: stopped"
+    if code == -signal.SIGKILL:
+        return "not done: killed, as the system does when memory runs out; close other programs"
+    return f"the process that read it ended with {code}; is the file damaged?"
+
+
 def in_child(request: dict, work: Callable[[], int], error: int) -> int:
     """work()'s code, of a process of its own: this one can then be stopped whatever a filter does, and a
     reader that crashes on a damaged file takes nothing down."""
@@ -165,8 +174,7 @@ def in_child(request: dict, work: Callable[[], int], error: int) -> int:
     _child = None
     code = os.waitstatus_to_exitcode(status)
     if code < 0:
-        say_error(f"{request['input']}: not done: stopped" if _times_stopped else
-                  f"{request['input']}: the process that read it ended with {code}; is the file damaged?")
+        say_error(f"{request['input']}: {why_it_ended(code)}")
         return error
     return code
 
