@@ -5,8 +5,6 @@
 #include "Noise.h"
 #include "Parallel.h"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -115,13 +113,8 @@ void OrthonormalizeBand(const Eigen::SparseMatrix<double>& mass, Panels& vectors
   Eigen::MatrixXd gram = GramOfPanels(mass, vectors, threads);
   const Eigen::VectorXd norms = gram.diagonal();
   gram.diagonal() = (norms.array() > 0.0).select(norms, 1.0);
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(gram);
-  if (cholesky.info() != Eigen::Success)
-  {
-    throw SolverFailure("the computed harmonics are linearly dependent");
-  }
   const Eigen::MatrixXd inverse =
-    cholesky.matrixU().solve(Eigen::MatrixXd::Identity(gram.rows(), gram.cols()));
+    CholeskyOfGram(gram).matrixU().solve(Eigen::MatrixXd::Identity(gram.rows(), gram.cols()));
   vectors = CombinePanels(vectors, inverse, threads);
 }
 

@@ -587,13 +587,10 @@ Band BlockLanczos::Polished(const KrylovSpace& space, const RitzPairs& ritz,
     ForeignShares(energies.topLeftCorner(count, count), products.topLeftCorner(count, count),
       values);
   // Orthonormal to the last digit at the same time: pure R^-1 with R^T R its Gram matrix.
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(
-    pure.transpose() * products.topLeftCorner(count, count) * pure);
-  if (cholesky.info() != Eigen::Success)
-  {
-    throw SolverFailure("the computed harmonics are linearly dependent");
-  }
-  const Eigen::MatrixXd mixture = cholesky.matrixU().solve<Eigen::OnTheRight>(pure);
+  const Eigen::MatrixXd mixture =
+    CholeskyOfGram(pure.transpose() * products.topLeftCorner(count, count) * pure)
+      .matrixU()
+      .solve<Eigen::OnTheRight>(pure);
   return { { values.data(), values.data() + count }, CombinePanels(vectors, mixture, this->Threads),
     true };
 }

@@ -3,20 +3,23 @@
 
 #include "Errors.h"
 
-#include <Eigen/Cholesky>
-
 namespace spectralwatermark
 {
 
-void Orthonormalize(const Eigen::SparseMatrix<double>& mass, Eigen::MatrixXd& vectors)
+Eigen::LLT<Eigen::MatrixXd> CholeskyOfGram(const Eigen::MatrixXd& gram)
 {
-  const Eigen::MatrixXd gram = vectors.transpose() * (mass * vectors).eval();
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(gram);
+  Eigen::LLT<Eigen::MatrixXd> cholesky(gram);
   if (cholesky.info() != Eigen::Success)
   {
     throw SolverFailure("the computed harmonics are linearly dependent");
   }
-  cholesky.matrixU().solveInPlace<Eigen::OnTheRight>(vectors);
+  return cholesky;
+}
+
+void Orthonormalize(const Eigen::SparseMatrix<double>& mass, Eigen::MatrixXd& vectors)
+{
+  const Eigen::MatrixXd gram = vectors.transpose() * (mass * vectors).eval();
+  CholeskyOfGram(gram).matrixU().solveInPlace<Eigen::OnTheRight>(vectors);
 }
 
 } // namespace spectralwatermark

@@ -6,6 +6,7 @@
 #include "Progress.h"
 #include "TriangleMesh.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
 
 namespace spectralwatermark
@@ -59,6 +60,9 @@ public:
   virtual EigenPairs Solve(const EigenProblem& problem, const EigensolverOptions& options,
     const Progress& progress) const = 0;
 };
+
+/// R^T R of vectors' Gram matrix; throws SolverFailure when they depend on each other.
+Eigen::LLT<Eigen::MatrixXd> CholeskyOfGram(const Eigen::MatrixXd& gram);
 
 /// Makes vectors M-orthonormal that nearly are: V <- V R^-1 with V^T M V = R^T R. Keeps order.
 void Orthonormalize(const Eigen::SparseMatrix<double>& mass, Eigen::MatrixXd& vectors);
