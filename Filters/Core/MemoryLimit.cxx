@@ -28,8 +28,13 @@ constexpr double Unlimited = std::numeric_limits<double>::infinity();
 // The first number in a file that holds one, or "max"; also infinite where there is no file.
 double NumberIn(const std::string& path)
 {
-  double number = Unlimited;
-  return std::ifstream(path) >> number ? number : Unlimited;
+  std::ifstream file(path);
+  double number = 0.0;
+  if (!(file >> number))
+  {
+    return Unlimited;
+  }
+  return number;
 }
 
 // The number behind `name` in a file of names and numbers; else `otherwise`.
