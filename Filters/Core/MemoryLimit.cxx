@@ -167,10 +167,10 @@ void RequireMemory(double bytes, const std::string& work, const std::string& adv
   }
 }
 
-void RequireMemoryForTriangles(Index triangles, double bytesOfTriangle)
+void RequireMemoryForTriangles(Index triangles, double bytesOfTriangle, const std::string& advice)
 {
   RequireMemory(bytesOfTriangle * static_cast<double>(triangles),
-    std::to_string(triangles) + " triangles", "simplify the mesh first");
+    std::to_string(triangles) + " triangles", advice);
 }
 
 } // namespace spectralwatermark

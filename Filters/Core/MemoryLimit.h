@@ -21,7 +21,8 @@ double AvailableMemory();
 void RequireMemory(double bytes, const std::string& work, const std::string& advice);
 
 /// The same, where so many bytes are needed for each triangle.
-void RequireMemoryForTriangles(Index triangles, double bytesOfTriangle);
+void RequireMemoryForTriangles(Index triangles, double bytesOfTriangle,
+  const std::string& advice = "simplify the mesh first");
 
 } // namespace spectralwatermark
 
