@@ -92,8 +92,8 @@ void RequireMemoryToSubdivide(sw::Index triangles, vtkMeshAttack* attack)
   const double parts = attack->GetSubdivisionType() == vtkMeshAttack::Sqrt3 ? 3.0 : 4.0;
   const double count =
     static_cast<double>(triangles) * std::pow(parts, attack->GetNumberOfSubdivisions());
-  sw::RequireMemoryForTriangles(
-    static_cast<sw::Index>(count), bytesOfTriangle, "lower NumberOfSubdivisions");
+  sw::RequireMemoryForTriangles(static_cast<sw::Index>(count), bytesOfTriangle,
+    "lower NumberOfSubdivisions");
 }
 
 sw::TriangleMesh Subdivided(const sw::TriangleMesh& mesh, vtkMeshAttack* attack)

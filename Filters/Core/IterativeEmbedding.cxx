@@ -42,6 +42,8 @@ EmbeddingResult EmbedMessage(const TriangleMesh& original, const EmbeddingOption
   harmonicsOptions.Count = ComponentsNeeded(options.Slots, bits);
   harmonicsOptions.Tolerance = options.Tolerance;
   harmonicsOptions.Threads = options.Threads;
+  // At once for the two bases held at a time, so that no later round fails for want of memory.
+  harmonicsOptions.AskForMemory = false;
   RequireMemoryForHarmonics(original.NumberOfVertices(), harmonicsOptions.Count, 1);
 
   EmbeddingResult result;

@@ -108,8 +108,9 @@ void RequireMemoryFor(SolverChoice choice, Index vertices, Index count, Index ot
   const double bytesOfBasis = sizeof(double) * static_cast<double>(vertices * count);
   RequireMemory(MemoryOf(choice, vertices, count) + static_cast<double>(otherBases) * bytesOfBasis,
     std::to_string(count) + " harmonics of " + std::to_string(vertices) + " vertices",
-    choice == SolverChoice::Dense ? "choose another solver, or simplify the mesh first"
-                                  : "ask for fewer harmonics, or simplify the mesh first");
+    choice == SolverChoice::Dense
+      ? "choose another solver, or simplify the mesh first"
+      : "ask for fewer harmonics (or bits), or simplify the mesh first");
 }
 
 void FixSigns(Eigen::MatrixXd& basis)
@@ -225,7 +226,7 @@ ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
     ? ChooseSolver(mesh.NumberOfVertices(), op.Rank, options.Count)
     : options.Solver;
   const std::unique_ptr<Eigensolver> solver = CreateSolver(choice, mesh.NumberOfVertices());
-  if (options.Nearby == nullptr) // else it was asked for both at once
+  if (options.AskForMemory)
   {
     RequireMemoryFor(choice, mesh.NumberOfVertices(), options.Count, 0);
   }

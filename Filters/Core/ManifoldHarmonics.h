@@ -30,9 +30,9 @@ struct HarmonicsOptions
   int Threads = 1;                      ///< at most; the result does not depend on it
   SolverChoice Solver = SolverChoice::Automatic;
   /// Of a mesh with the same triangles and nearly the same points: makes it faster. The result
-  /// differs by no more than the tolerance. Memory is then not asked for:
-  /// RequireMemoryForHarmonics() did so for both bases, before the first.
+  /// differs by no more than the tolerance.
   const ManifoldHarmonics* Nearby = nullptr;
+  bool AskForMemory = true; ///< false: the caller did, with RequireMemoryForHarmonics()
 };
 
 /// The first m solutions of S h = lambda M h. Column 0 is the paper's H^1.

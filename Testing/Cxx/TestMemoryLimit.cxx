@@ -89,7 +89,7 @@ TEST(MemoryLimit, EmbeddingByThePaper)
   embed->SetInputData(LargeSphere());
   embed->SetSchemeToPaperSlots();
   embed->SetMessage("1011001110001111");
-  ExpectRefusal(embed, "180 harmonics of 40962 vertices", "ask for fewer harmonics",
+  ExpectRefusal(embed, "180 harmonics of 40962 vertices", "ask for fewer harmonics (or bits)",
     40962 * (3900 + 20 * 180));
 }
 

@@ -49,8 +49,8 @@ class LargeTest(unittest.TestCase):
         self.assertIn("mine", self.succeed("detect", "copy.ply", *key))
         self.assertIn("not mine", self.succeed("detect", "large.ply", *key, codes=(1,)))
         self.succeed("harmonics", "large.ply", "spectrum.csv", "--number", 200)
-        self.succeed("embed", "large.ply", "paper.ply", *key, "--scheme", "paper", "--bits", 16)
-        paper = json.loads(self.succeed("detect", "paper.ply", *key, "--scheme", "paper", "--bits", 16,
+        self.succeed("embed", "large.ply", "paper.ply", *key, "--scheme", "paper", "--bits", 12)
+        paper = json.loads(self.succeed("detect", "paper.ply", *key, "--scheme", "paper", "--bits", 12,
                                         "--json", "--false-positive-rate", 1e-3))
         self.assertIs(paper["found"], True)
         compared = json.loads(self.succeed("compare", "large.ply", "marked.ply", "--json"))
