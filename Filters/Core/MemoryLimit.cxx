@@ -105,13 +105,29 @@ double FreeOfGroups(std::string path, const GroupFiles& names)
   }
 }
 
-double FreeOfControlGroups()
+#endif
+
+std::string Amount(double bytes)
 {
-  const GroupFiles first{ "/sys/fs/cgroup/memory", "memory.limit_in_bytes", "memory.usage_in_bytes",
-    "total_inactive_file" };
-  const GroupFiles second{ "/sys/fs/cgroup", "memory.max", "memory.current", "inactive_file" };
+  constexpr double giga = 1e9;
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(bytes < 10.0 * giga ? 1 : 0)
+       << std::max(0.0, bytes) / giga << " GB";
+  return text.str();
+}
+
+} // namespace
+
+#ifdef __linux__
+
+double AvailableMemoryOfGroups(const std::string& root)
+{
+  const GroupFiles first{ root + "/sys/fs/cgroup/memory", "memory.limit_in_bytes",
+    "memory.usage_in_bytes", "total_inactive_file" };
+  const GroupFiles second{ root + "/sys/fs/cgroup", "memory.max", "memory.current",
+    "inactive_file" };
   double free = Unlimited;
-  std::ifstream groups("/proc/self/cgroup");
+  std::ifstream groups(root + "/proc/self/cgroup");
   std::string number;
   std::string controllers; // none: version 2
   std::string path;
@@ -130,27 +146,24 @@ double FreeOfControlGroups()
   return free;
 }
 
-#endif
-
-std::string Amount(double bytes)
+double AvailableMemory()
 {
-  constexpr double giga = 1e9;
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(bytes < 10.0 * giga ? 1 : 0)
-       << std::max(0.0, bytes) / giga << " GB";
-  return text.str();
+  return std::min({ FreeOfMachine(), FreeOfAddresses(), AvailableMemoryOfGroups() });
 }
 
-} // namespace
+#else
+
+double AvailableMemoryOfGroups(const std::string&)
+{
+  return Unlimited;
+}
 
 double AvailableMemory()
 {
-#ifdef __linux__
-  return std::min({ FreeOfMachine(), FreeOfAddresses(), FreeOfControlGroups() });
-#else
   return Unlimited;
-#endif
 }
+
+#endif
 
 void RequireMemory(double bytes, const std::string& work, const std::string& advice)
 {

@@ -16,6 +16,9 @@ namespace spectralwatermark
 /// where nothing is known of them, as on other systems than Linux.
 double AvailableMemory();
 
+/// What is left to the control groups of this process, of both versions; `root` stands for "/".
+double AvailableMemoryOfGroups(const std::string& root = "");
+
 /// Throws InvalidInput when `bytes` are more than that. `work` is what needs them, in the plural;
 /// `advice` is what the user can do.
 void RequireMemory(double bytes, const std::string& work, const std::string& advice);

@@ -7,6 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <unistd.h>
 
 using namespace spectralwatermark;
 
@@ -32,6 +37,65 @@ TEST(MemoryLimit, MoreThanAnyMachineHasIsRefused)
     EXPECT_NE(text.find(" GB are free: ask for fewer"), std::string::npos) << text;
   }
 }
+
+#ifdef __linux__
+
+namespace
+{
+
+// What Linux shows of control groups, in a folder of its own.
+class Groups
+{
+public:
+  Groups() { std::filesystem::create_directories(this->Root); }
+  ~Groups() { std::filesystem::remove_all(this->Root); }
+  Groups(const Groups&) = delete;
+  void operator=(const Groups&) = delete;
+
+  void Write(const std::string& path, const std::string& text) const
+  {
+    const std::filesystem::path file = this->Root + path;
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file) << text;
+  }
+  double Available() const { return AvailableMemoryOfGroups(this->Root); }
+
+private:
+  std::string Root = testing::TempDir() + "/groups" + std::to_string(getpid());
+};
+
+} // namespace
+
+TEST(MemoryLimit, ControlGroupsOfTheSecondVersion)
+{
+  const Groups groups;
+  groups.Write("/proc/self/cgroup", "0::/user/job\n");
+  EXPECT_TRUE(std::isinf(groups.Available()));
+  groups.Write("/sys/fs/cgroup/user/job/memory.max", "max\n");
+  groups.Write("/sys/fs/cgroup/user/job/memory.current", "700\n");
+  EXPECT_TRUE(std::isinf(groups.Available()));
+  groups.Write("/sys/fs/cgroup/user/memory.max", "5000\n"); // holds for those in it
+  groups.Write("/sys/fs/cgroup/user/memory.current", "1000\n");
+  EXPECT_EQ(groups.Available(), 4000.0);
+  groups.Write("/sys/fs/cgroup/user/job/memory.max", "2000\n");
+  EXPECT_EQ(groups.Available(), 1300.0);
+  // What files are kept in memory is given up when it is needed.
+  groups.Write("/sys/fs/cgroup/user/job/memory.stat", "anon 600\ninactive_file 100\n");
+  EXPECT_EQ(groups.Available(), 1400.0);
+}
+
+// In a container the path is that outside, and the container's group is the root.
+TEST(MemoryLimit, ControlGroupsOfTheFirstVersion)
+{
+  const Groups groups;
+  groups.Write("/proc/self/cgroup", "9:cpu,cpuacct:/box\n4:memory:/box/17\n0::/other\n");
+  groups.Write("/sys/fs/cgroup/memory/memory.limit_in_bytes", "3000\n");
+  groups.Write("/sys/fs/cgroup/memory/memory.usage_in_bytes", "2500\n");
+  groups.Write("/sys/fs/cgroup/memory/memory.stat", "inactive_file 1\ntotal_inactive_file 50\n");
+  EXPECT_EQ(groups.Available(), 550.0);
+}
+
+#endif
 
 #ifndef SPECTRALWATERMARK_NO_ADDRESS_LIMIT
 TEST(MemoryLimit, TheLimitOfTheShellCounts)
