@@ -103,14 +103,26 @@ double MemoryOf(SolverChoice choice, Index vertices, Index count)
   return n * (factorsOfVertex + vectorsOfVertex * static_cast<double>(count));
 }
 
+constexpr const char* FewerHarmonics =
+  "ask for fewer harmonics (or bits), or simplify the mesh first";
+
+double BytesOfBasis(Index vertices, Index count)
+{
+  return sizeof(double) * static_cast<double>(vertices * count);
+}
+
+std::string Work(Index vertices, Index count)
+{
+  return std::to_string(count) + " harmonics of " + std::to_string(vertices) + " vertices";
+}
+
 void RequireMemoryFor(SolverChoice choice, Index vertices, Index count, Index otherBases)
 {
-  const double bytesOfBasis = sizeof(double) * static_cast<double>(vertices * count);
-  RequireMemory(MemoryOf(choice, vertices, count) + static_cast<double>(otherBases) * bytesOfBasis,
-    std::to_string(count) + " harmonics of " + std::to_string(vertices) + " vertices",
-    choice == SolverChoice::Dense
-      ? "choose another solver, or simplify the mesh first"
-      : "ask for fewer harmonics (or bits), or simplify the mesh first");
+  RequireMemory(MemoryOf(choice, vertices, count) +
+      static_cast<double>(otherBases) * BytesOfBasis(vertices, count),
+    Work(vertices, count),
+    choice == SolverChoice::Dense ? "choose another solver, or simplify the mesh first"
+                                  : FewerHarmonics);
 }
 
 void FixSigns(Eigen::MatrixXd& basis)
@@ -247,6 +259,12 @@ ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
   harmonics.Complete = pairs.Complete;
   progress.Report(1.0);
   return harmonics;
+}
+
+void RequireMemoryToAdopt(Index vertices, Index count)
+{
+  constexpr double bases = 3.4; // at the peak, as measured: the copy, and what its checks multiply
+  RequireMemory(bases * BytesOfBasis(vertices, count), Work(vertices, count), FewerHarmonics);
 }
 
 std::optional<ManifoldHarmonics> AdoptManifoldHarmonics(const TriangleMesh& mesh, MassMatrix mass,

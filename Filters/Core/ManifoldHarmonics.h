@@ -63,6 +63,9 @@ void RequireMemoryForHarmonics(Index vertices, Index count, Index otherBases);
 ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
   const HarmonicsOptions& options, const Progress& progress = Progress());
 
+/// Throws InvalidInput when there is too little memory to adopt so many.
+void RequireMemoryToAdopt(Index vertices, Index count);
+
 /// Takes a basis that came from elsewhere, if it is one for this mesh: the masses agree, every
 /// residual is small and every column is a unit vector. Nothing otherwise: a stale basis is
 /// never used. Costs a few sparse products.

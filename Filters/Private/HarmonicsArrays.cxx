@@ -113,6 +113,7 @@ std::optional<ManifoldHarmonics> FindHarmonics(vtkPolyData* input, const char* b
     return std::nullopt;
   }
   const Index wanted = count > 0 ? count : available;
+  RequireMemoryToAdopt(mesh.Mesh.NumberOfVertices(), wanted);
   Eigen::VectorXd values(wanted);
   for (Index k = 0; k < wanted; ++k)
   {

@@ -2,6 +2,7 @@
 #include "Private/PolyDataMesh.h"
 
 #include "Core/Errors.h"
+#include "Core/MemoryLimit.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
@@ -252,6 +253,8 @@ PolyDataMesh ToMesh(vtkPolyData* input, CoincidentPoints coincident)
   {
     CheckCorners(cells, pointCount);
   }
+  constexpr double bytesOfPolygon = 85.0; // at the peak, as measured of triangles
+  RequireMemoryForTriangles(input->GetNumberOfPolys(), bytesOfPolygon);
   const std::vector<Triangle> triangles = TrianglesOf(Triangulated(input));
   if (triangles.empty())
   {

@@ -5,6 +5,7 @@
 
 #include <vtkErrorCode.h>
 #include <vtkManifoldHarmonics.h>
+#include <vtkManifoldHarmonicsReconstruction.h>
 #include <vtkMeshAttack.h>
 #include <vtkMeshDistortion.h>
 #include <vtkNew.h>
@@ -16,6 +17,7 @@
 
 #include <memory>
 #include <new>
+#include <utility>
 #include <vector>
 
 #ifndef SPECTRALWATERMARK_NO_ADDRESS_LIMIT
@@ -93,6 +95,26 @@ TEST(MemoryLimit, EmbeddingByThePaper)
     40962 * (3900 + 20 * 180));
 }
 
+TEST(MemoryLimit, AnyMesh)
+{
+  shapes::TriangleMesh mesh = shapes::Icosphere(0);
+  mesh.Triangles = mesh.Triangles.row(0).replicate(1000000, 1).eval();
+  vtkNew<vtkMeshAttack> attack;
+  attack->SetInputData(PolyData(mesh));
+  ExpectRefusal(attack, "1000000 triangles", "simplify the mesh first");
+}
+
+TEST(MemoryLimit, ABasisThatIsThere)
+{
+  vtkNew<vtkManifoldHarmonics> harmonics;
+  harmonics->SetInputData(LargeSphere());
+  harmonics->SetNumberOfHarmonics(60);
+  harmonics->Update();
+  vtkNew<vtkManifoldHarmonicsReconstruction> reconstruction;
+  reconstruction->SetInputData(harmonics->GetOutput());
+  ExpectRefusal(reconstruction, "60 harmonics of 40962 vertices", "ask for fewer harmonics");
+}
+
 TEST(MemoryLimit, Detection)
 {
   vtkNew<vtkSpectralWatermarkDetect> detect;
@@ -121,6 +143,68 @@ TEST(MemoryLimit, AttacksOnTheMeshAsItIs)
   }
 }
 
+namespace
+{
+
+vtkSmartPointer<vtkPolyDataAlgorithm> AttackOn(vtkPolyData* mesh, int kind)
+{
+  auto attack = vtkSmartPointer<vtkMeshAttack>::New();
+  attack->SetInputData(mesh);
+  attack->SetAttack(kind);
+  return attack;
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> DetectionIn(vtkPolyData* mesh)
+{
+  auto detect = vtkSmartPointer<vtkSpectralWatermarkDetect>::New();
+  detect->SetInputData(mesh);
+  detect->SetSecretKey("an owner");
+  detect->SetNumberOfBits(2); // is done soon
+  return detect;
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> HarmonicsOfLargeSphere()
+{
+  auto harmonics = vtkSmartPointer<vtkManifoldHarmonics>::New();
+  harmonics->SetInputData(LargeSphere());
+  harmonics->SetNumberOfHarmonics(100);
+  return harmonics;
+}
+
+bool Succeeds(vtkPolyDataAlgorithm* filter, double free)
+{
+  Listener listener(filter);
+  const AddressSpaceLimit limit(free);
+  filter->Modified();
+  filter->Update();
+  return filter->GetErrorCode() == vtkErrorCode::NoError;
+}
+
+} // namespace
+
+// The estimates: a little less is refused, and with what they ask for the work comes to its end.
+TEST(MemoryLimit, WhatIsAskedForSuffices)
+{
+  const auto sphere = HugeSphere();
+  const auto torus = PolyData(shapes::Torus(400, 160));
+  const auto ofSphere = static_cast<double>(sphere->GetNumberOfPolys());
+  const auto ofTorus = static_cast<double>(torus->GetNumberOfPolys());
+  constexpr double vertices = 40962.0;
+  const std::vector<std::pair<vtkSmartPointer<vtkPolyDataAlgorithm>, double>> asked = {
+    { DetectionIn(torus), 455.0 * ofTorus },
+    { AttackOn(sphere, vtkMeshAttack::LaplacianSmoothing), 225.0 * ofSphere },
+    { AttackOn(torus, vtkMeshAttack::Simplification), 565.0 * ofTorus },
+    { AttackOn(torus, vtkMeshAttack::Subdivision), 165.0 * 4.0 * ofTorus },
+    { HarmonicsOfLargeSphere(), vertices * (3900.0 + 17.0 * 100.0) },
+  };
+  for (const auto& [filter, bytes] : asked)
+  {
+    SCOPED_TRACE(filter->GetClassName());
+    EXPECT_FALSE(Succeeds(filter, 0.9 * bytes));
+    EXPECT_TRUE(Succeeds(filter, 1.1 * bytes));
+  }
+}
+
 // Too little for what no estimate asks about.
 TEST(MemoryLimit, AnAllocationThatFails)
 {
@@ -141,7 +225,9 @@ TEST(MemoryLimit, AnAllocationThatFails)
     attack->Update();
   }
   EXPECT_EQ(attack->GetErrorCode(), vtkErrorCode::UnknownError);
-  EXPECT_NE(listener.Errors.find("not enough memory: "), std::string::npos) << listener.Errors;
+  EXPECT_NE(listener.Errors.find("not enough memory: close other programs, or simplify"),
+    std::string::npos)
+    << listener.Errors;
   EXPECT_EQ(attack->GetOutput()->GetNumberOfPoints(), 0);
 }
 
