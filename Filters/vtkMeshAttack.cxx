@@ -93,7 +93,7 @@ void RequireMemoryToSubdivide(sw::Index triangles, vtkMeshAttack* attack)
   const double count =
     static_cast<double>(triangles) * std::pow(parts, attack->GetNumberOfSubdivisions());
   sw::RequireMemoryForTriangles(static_cast<sw::Index>(count), bytesOfTriangle,
-    "lower NumberOfSubdivisions");
+    "lower NumberOfSubdivisions, or simplify the mesh first");
 }
 
 sw::TriangleMesh Subdivided(const sw::TriangleMesh& mesh, vtkMeshAttack* attack)

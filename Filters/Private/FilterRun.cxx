@@ -6,6 +6,7 @@
 #include <vtkCommand.h>
 #include <vtkDataObject.h>
 #include <vtkErrorCode.h>
+#include <vtkExecutive.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
@@ -108,7 +109,7 @@ int RunFilter(vtkAlgorithm* filter, unsigned long& errorCode, vtkInformationVect
   catch (const std::bad_alloc&)
   {
     return fail(vtkErrorCode::UnknownError,
-      "not enough memory: ask for fewer harmonics, or simplify the mesh first");
+      "not enough memory: close other programs, or simplify the mesh first");
   }
   catch (const std::exception& error)
   {
@@ -138,6 +139,9 @@ void UpdateInside(vtkAlgorithm* inner, vtkAlgorithm* outer, double begin, double
       }
     });
   const unsigned long tag = inner->AddObserver(vtkCommand::ProgressEvent, forward);
+  vtkNew<vtkCallbackCommand> ignore;
+  inner->AddObserver(vtkCommand::ErrorEvent, ignore);
+  inner->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, ignore);
   inner->Update();
   inner->RemoveObserver(tag);
   if (outer->GetAbortExecute())

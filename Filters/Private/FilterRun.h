@@ -33,7 +33,8 @@ int RunFilter(vtkAlgorithm* filter, unsigned long& errorCode, vtkInformationVect
   const std::function<void()>& recipe);
 
 /// Runs a VTK filter inside ours: its progress becomes the range [begin, end] of ours, and an
-/// abort of ours stops it (and throws Aborted).
+/// abort of ours stops it (and throws Aborted). What it says of errors stays inside: its caller looks at
+/// its output, and says what they mean for ours.
 void UpdateInside(vtkAlgorithm* inner, vtkAlgorithm* outer, double begin, double end);
 
 } // namespace spectralwatermark

@@ -90,9 +90,8 @@ void RequireGrid(const std::array<double, 3>& grid, Index count)
   const double cells = grid[0] * grid[1] * grid[2];
   if (cells > MostCells * std::pow(static_cast<double>(count), 1.5))
   {
-    throw InvalidInput(
-      "the surface is too thin for its extent to be remeshed uniformly: simplify it, "
-      "or remesh it by an isosurface");
+    throw InvalidInput("the surface is too thin for its extent to be remeshed uniformly: simplify "
+                       "or subdivide it instead");
   }
   RequireMemory(BytesOfVertex * static_cast<double>(count) + BytesOfCell * cells,
     std::to_string(count) + " vertices", "lower RemeshingPercent");
@@ -166,9 +165,15 @@ TriangleMesh ResampleByIsosurface(const TriangleMesh& mesh, int resolution, vtkA
   }
   RequireMemory(MemoryOfIsosurface(mesh, resolution),
     std::to_string(resolution) + " steps along the longest side", "lower IsosurfaceResolution");
+  const vtkSmartPointer<vtkImageData> distances =
+    SignedDistances(Oriented(mesh), resolution, ProgressOf(filter).Part(0.1, 0.9));
+  constexpr double nearly = 1e-3; // of a step: around such a node there is next to no surface
+  if (distances->GetScalarRange()[0] > -nearly * distances->GetSpacing()[0])
+  {
+    throw InvalidInput("the solid is thinner than a step of the grid: raise IsosurfaceResolution");
+  }
   vtkNew<vtkFlyingEdges3D> contour;
-  contour->SetInputData(
-    SignedDistances(Oriented(mesh), resolution, ProgressOf(filter).Part(0.1, 0.9)));
+  contour->SetInputData(distances);
   contour->SetValue(0, 0.0);
   contour->ComputeNormalsOff();
   contour->ComputeScalarsOff();

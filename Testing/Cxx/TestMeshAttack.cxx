@@ -10,15 +10,18 @@
 #include <vtkMath.h>
 #include <vtkMeshAttack.h>
 #include <vtkNew.h>
+#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataConnectivityFilter.h>
 #include <vtkPolyDataNormals.h>
+#include <vtkStringOutputWindow.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <sstream>
 
@@ -428,61 +431,113 @@ vtkSmartPointer<vtkPolyData> ThreeOnOneEdge()
   return PolyData(fins);
 }
 
+void ExpectError(vtkMeshAttack* attack, const std::string& part)
+{
+  Listener listener(attack);
+  attack->Update();
+  EXPECT_NE(listener.Errors.find(part), std::string::npos) << listener.Errors;
+  EXPECT_NE(attack->GetErrorCode(), 0u);
+  EXPECT_EQ(attack->GetOutput()->GetNumberOfPoints(), 0);
+}
+
 } // namespace
+
+TEST(MeshAttack, PropertiesMustBeFinite)
+{
+  struct Property
+  {
+    const char* Name;
+    int Attack;
+    std::function<void(vtkMeshAttack*, double)> Set;
+  };
+  const std::vector<Property> properties = {
+    { "RotationAngle", vtkMeshAttack::Rotation,
+      [](auto* attack, double value) { attack->SetRotationAngle(value); } },
+    { "RotationAxis", vtkMeshAttack::Rotation,
+      [](auto* attack, double value) { attack->SetRotationAxis(1.0, value, 0.0); } },
+    { "ScaleFactor", vtkMeshAttack::UniformScaling,
+      [](auto* attack, double value) { attack->SetScaleFactor(value); } },
+    { "AxisScaleFactors", vtkMeshAttack::NonUniformScaling,
+      [](auto* attack, double value) { attack->SetAxisScaleFactors(1.0, 1.0, value); } },
+    { "TranslationVector", vtkMeshAttack::Translation,
+      [](auto* attack, double value) { attack->SetTranslationVector(0.0, 0.0, value); } },
+    { "NoiseFactor", vtkMeshAttack::NoiseAlongNormals,
+      [](auto* attack, double value) { attack->SetNoiseFactor(value); } },
+    { "NoisePercent", vtkMeshAttack::NoiseUniform,
+      [](auto* attack, double value) { attack->SetNoisePercent(value); } },
+    { "SmoothingFactor", vtkMeshAttack::LaplacianSmoothing,
+      [](auto* attack, double value) { attack->SetSmoothingFactor(value); } },
+    { "SmoothingGain", vtkMeshAttack::SpectralSmoothing,
+      [](auto* attack, double value) { attack->SetSmoothingGain(value); } },
+  };
+  const auto mesh = PolyData(shapes::Bumpy(1));
+  for (const Property& property : properties)
+  {
+    const auto attack = AttackOn(mesh, property.Attack);
+    property.Set(attack, vtkMath::Nan());
+    ExpectError(attack, property.Name + std::string(" must be finite"));
+  }
+}
+
+// What VTK's filters inside say does not reach the user as well.
+TEST(MeshAttack, AnErrorIsSaidOnce)
+{
+  vtkNew<vtkStringOutputWindow> window;
+  const vtkSmartPointer<vtkOutputWindow> before = vtkOutputWindow::GetInstance();
+  vtkOutputWindow::SetInstance(window);
+  ExpectError(AttackOn(ThreeOnOneEdge(), vtkMeshAttack::Subdivision), "cannot be subdivided");
+  vtkOutputWindow::SetInstance(before);
+  EXPECT_EQ(window->GetOutput(), "");
+}
 
 TEST(MeshAttack, UnknownAttackAndBadParametersAreErrors)
 {
   const auto mesh = PolyData(shapes::Bumpy(1));
-  const auto expectError = [&](vtkMeshAttack* attack, const char* part)
-  {
-    Listener listener(attack);
-    attack->Update();
-    EXPECT_NE(listener.Errors.find(part), std::string::npos) << listener.Errors;
-    EXPECT_NE(attack->GetErrorCode(), 0u);
-    EXPECT_EQ(attack->GetOutput()->GetNumberOfPoints(), 0);
-  };
-  expectError(AttackOn(mesh, 77), "attack 77 is unknown");
+  ExpectError(AttackOn(mesh, 77), "attack 77 is unknown");
   EXPECT_STREQ(AttackOn(mesh, 77)->GetAttackAsString(), "Unknown");
   auto attack = AttackOn(mesh, vtkMeshAttack::Rotation);
   attack->SetRotationAxis(0.0, 0.0, 0.0);
-  expectError(attack, "length 0");
-  attack = AttackOn(mesh, vtkMeshAttack::Translation);
-  attack->SetTranslationVector(vtkMath::Nan(), 0.0, 0.0);
-  expectError(attack, "must be finite");
+  ExpectError(attack, "length 0");
   attack = AttackOn(mesh, vtkMeshAttack::SpectralSmoothing);
-  expectError(attack, "300 harmonics were asked for, but the mesh has 42");
+  ExpectError(attack, "300 harmonics were asked for, but the mesh has 42");
   attack = AttackOn(mesh, vtkMeshAttack::Subdivision);
   attack->SetSubdivisionType(5);
-  expectError(attack, "subdivision type 5 is unknown");
+  ExpectError(attack, "subdivision type 5 is unknown");
   attack = AttackOn(ThreeOnOneEdge(), vtkMeshAttack::Subdivision);
   for (const int rule : { vtkMeshAttack::Midpoint, vtkMeshAttack::Loop })
   {
     attack->SetSubdivisionType(rule);
-    expectError(attack, "cannot be subdivided: an edge has more than two triangles");
+    ExpectError(attack, "cannot be subdivided: an edge has more than two triangles");
   }
   attack = AttackOn(mesh, vtkMeshAttack::Remeshing);
   attack->SetRemeshingMethod(-1);
-  expectError(attack, "remeshing method -1 is unknown");
+  ExpectError(attack, "remeshing method -1 is unknown");
   attack = AttackOn(PolyData(shapes::Rectangle(3, 3, 1.0, 1.0)), vtkMeshAttack::Remeshing);
   attack->SetRemeshingMethodToIsosurface();
-  expectError(attack, "needs a closed surface");
+  ExpectError(attack, "needs a closed surface");
+  shapes::TriangleMesh flat = shapes::Icosphere(2);
+  flat.Points.col(2) *= 1e-4;
+  attack = AttackOn(PolyData(flat), vtkMeshAttack::Remeshing);
+  attack->SetRemeshingMethodToIsosurface();
+  attack->SetIsosurfaceResolution(8);
+  ExpectError(attack, "thinner than a step of the grid: raise IsosurfaceResolution");
   attack = AttackOn(mesh, vtkMeshAttack::NonUniformScaling);
   attack->SetAxisScaleFactors(1.0, 0.0, 1.0);
-  expectError(attack, "AxisScaleFactors has a 0");
+  ExpectError(attack, "AxisScaleFactors has a 0");
   attack = AttackOn(PolyData(shapes::Icosphere(0)), vtkMeshAttack::Simplification);
   attack->SetSimplificationPercent(99.9);
-  expectError(attack, "no triangle is left: lower SimplificationPercent");
+  ExpectError(attack, "no triangle is left: lower SimplificationPercent");
   attack = AttackOn(PolyData(shapes::Icosphere(0)), vtkMeshAttack::Remeshing);
   attack->SetRemeshingPercent(0.1);
-  expectError(attack, "no triangle is left: raise RemeshingPercent");
+  ExpectError(attack, "no triangle is left: raise RemeshingPercent");
   shapes::TriangleMesh needle = shapes::Icosphere(3); // from corner to corner of its bounding box
   needle.Points *= 1e-4;
   needle.Points.colwise() += Eigen::VectorXd::LinSpaced(needle.NumberOfVertices(), 0.0, 1.0).eval();
-  expectError(AttackOn(PolyData(needle), vtkMeshAttack::Remeshing),
+  ExpectError(AttackOn(PolyData(needle), vtkMeshAttack::Remeshing),
     "too thin for its extent to be remeshed uniformly");
   attack = AttackOn(mesh, vtkMeshAttack::Cropping);
   attack->SetCroppingPercent(99.0);
-  expectError(attack, "no polygon is left");
+  ExpectError(attack, "no polygon is left");
 }
 
 TEST(MeshAttack, PrintsItsProperties)
