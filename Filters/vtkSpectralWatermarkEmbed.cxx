@@ -158,7 +158,8 @@ void vtkSpectralWatermarkEmbed::EmbedInSolid(vtkPolyData* input, vtkPolyData* ou
   {
     vtkWarningMacro("embedding did not succeed: the output reads "
       << this->ExtractedMessage << ", wanted " << options.Message << ", at a distortion of "
-      << this->Distortion << " %. Raise MaximumDistortion, or embed fewer bits");
+      << this->Distortion << " %. Raise MaximumDistortion, or embed fewer bits"
+      << (options.RoundToFloat ? ", or store double points: these are rounded to float" : ""));
   }
 }
 

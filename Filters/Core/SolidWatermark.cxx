@@ -336,7 +336,9 @@ SolidEmbeddingResult EmbedInSolid(const TriangleMesh& mesh, const SecretKey& key
       throw InvalidInput(std::to_string(bits) + " bits would move the surface by " +
         Percent(attempt == 0 ? plan.Distortion * scale : result.Distortion) +
         " of its diagonal, more than MaximumDistortion, " + Percent(options.MaximumDistortion) +
-        ": raise it, or embed fewer bits (" + std::to_string(most) + " would fit)");
+        ": raise it" +
+        (most > 0 ? ", or embed fewer bits (" + std::to_string(most) + " would fit)"
+                  : "; not even one bit fits"));
     }
     const double begin = 0.1 + 0.45 * attempt / MostAttempts;
     result = embedding.Run(plan, options, progress.Part(begin, begin + 0.45 / MostAttempts));

@@ -94,6 +94,10 @@ TEST(BadInput, OnlyPolygonsWithoutThreeDistinctPoints)
   cells->InsertNextCell({ 2, 2, 2 });
   flat->SetPolys(cells);
   ExpectErrorFromEvery(flat, "three distinct points");
+  vtkNew<vtkCellArray> segments;
+  segments->InsertNextCell({ 0, 1 });
+  flat->SetPolys(segments);
+  ExpectErrorFromEvery(flat, "three distinct points");
 }
 
 TEST(BadInput, CoordinatesThatAreNotFinite)
@@ -479,6 +483,9 @@ TEST(BadInput, GainBeyondTheHarmonics)
   reconstruction->RemoveAllGains();
   reconstruction->SetGain(0, 2.0);
   ExpectErrorFrom(reconstruction, "components go from 1 to 20");
+  reconstruction->RemoveAllGains();
+  reconstruction->SetGain(3, vtkMath::Nan());
+  ExpectErrorFrom(reconstruction, "the gain nan of component 3");
 }
 
 TEST(BadInput, APieceOfADistributedMesh)

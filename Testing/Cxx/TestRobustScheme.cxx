@@ -6,6 +6,7 @@
 #include <vtkFieldData.h>
 #include <vtkMeshAttack.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSpectralWatermarkDetect.h>
 #include <vtkSpectralWatermarkEmbed.h>
@@ -248,6 +249,13 @@ TEST(RobustScheme, SaysWhatItCannotDo)
   const auto sheet = PolyData(shapes::Rectangle(6, 6, 1.0, 1.0));
   expectError(EmbedIn(sheet, "mine"), "encloses no volume");
   expectError(DetectIn(sheet, "mine"), "encloses no volume");
+  shapes::TriangleMesh fold; // a positive volume, and a negative extent
+  fold.Points.resize(5, 3);
+  fold.Points << 1.0, 2.0, 2.0, 0.0, 0.0, 3.0, 3.0, 3.0, 2.0, 3.0, 1.0, 1.0, 3.0, 0.0, 1.0;
+  fold.Triangles.resize(3, 3);
+  fold.Triangles << 0, 1, 2, 1, 2, 3, 2, 3, 4;
+  expectError(EmbedIn(PolyData(fold), "mine"), "too open to have an inside");
+  expectError(DetectIn(PolyData(fold), "mine"), "too open to have an inside");
   const auto mesh = Host(3);
   auto embed = EmbedIn(mesh, "mine");
   embed->SetMaximumDistortion(1e-5);
@@ -262,6 +270,29 @@ TEST(RobustScheme, SaysWhatItCannotDo)
   expectError(embed, "0 and 1");
   const auto detect = DetectIn(mesh, "");
   expectError(detect, "UseDerivedMessage needs a secret key");
+}
+
+// Far from the origin, float has steps as large as the distortion that is allowed.
+TEST(RobustScheme, WarnsOfAMarkThatRoundingSpoils)
+{
+  const auto mesh = Host(3);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    mesh->GetPoint(i, p);
+    mesh->GetPoints()->SetPoint(i, p[0] + 1e5, p[1] + 1e5, p[2] + 1e5);
+  }
+  const auto embed = EmbedIn(mesh, "mine");
+  embed->SetMessage("10110");
+  embed->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
+  Listener listener(embed);
+  embed->Update();
+  EXPECT_EQ(embed->GetConverged(), 0);
+  EXPECT_EQ(listener.Errors, "");
+  for (const char* part : { "embedding did not succeed", "or store double points" })
+  {
+    EXPECT_NE(listener.Warnings.find(part), std::string::npos) << listener.Warnings;
+  }
 }
 
 TEST(RobustScheme, PrintsItsProperties)
