@@ -3,6 +3,7 @@
 #include "Core/Errors.h"
 #include "Core/IterativeEmbedding.h"
 #include "Core/SlotWatermark.h"
+#include "Support/CoreTesting.h"
 #include "Support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include <cmath>
 
 using namespace spectralwatermark;
+using coretesting::ExpectRefusal;
 
 namespace
 {
@@ -125,23 +127,26 @@ TEST(SlotWatermark, ChangeKeepsTheDirectionAndMovesTheMagnitude)
 TEST(SlotWatermark, ContradictoryOptionsAreRefused)
 {
   SlotOptions slots;
-  EXPECT_THROW(CheckSlots(slots, 0), InvalidInput);
-  slots.CarrierPosition = 10;
-  EXPECT_THROW(CheckSlots(slots, 5), InvalidInput);
-  slots.CarrierPosition = 1;
-  EXPECT_THROW(CheckSlots(slots, 5), InvalidInput);
+  const auto expectRefusal = [&slots](Index bits, const std::string& piece)
+  { ExpectRefusal([&] { CheckSlots(slots, bits); }, piece); };
+  expectRefusal(0, "the message is empty");
+  for (const int position : { 1, 10 })
+  {
+    slots.CarrierPosition = position;
+    expectRefusal(5, "CarrierPosition " + std::to_string(position) + " is not inside its slot");
+  }
   slots = SlotOptions();
   slots.SlotSize = 3;
   slots.CarrierPosition = 2;
-  EXPECT_THROW(CheckSlots(slots, 5), InvalidInput);
+  expectRefusal(5, "SlotSize must be at least 4");
   slots = SlotOptions();
   slots.FirstComponent = 1;
-  EXPECT_THROW(CheckSlots(slots, 5), InvalidInput);
+  expectRefusal(5, "FirstComponent must be at least 2");
   slots = SlotOptions();
   slots.TurbulenceFactor = std::nan("");
-  EXPECT_THROW(CheckSlots(slots, 5), InvalidInput);
-  EXPECT_THROW(CheckMessage("10x10"), InvalidInput);
-  EXPECT_THROW(CheckSlotsAboveKernel(SlotOptions(), 44), InvalidInput);
+  expectRefusal(5, "TurbulenceFactor must be a finite number");
+  ExpectRefusal([] { CheckMessage("10x10"); }, "a character other than 0 and 1 at position 3");
+  ExpectRefusal([] { CheckSlotsAboveKernel(SlotOptions(), 44); }, "the mesh has 44 components");
   EXPECT_NO_THROW(CheckSlotsAboveKernel(SlotOptions(), 20));
 }
 
