@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Errors.h"
 #include "Core/SecretKey.h"
+#include "Support/CoreTesting.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
+#include <new>
 #include <numeric>
 #include <set>
 
@@ -97,10 +99,27 @@ TEST(SecretKey, SmallestSlotHasTwoPlaces)
     (std::set<Eigen::Index>{ 2, 3 }));
 }
 
-TEST(SecretKey, EmptyIsRefusedAndWipingEmpties)
+TEST(SecretKey, EmptyIsRefused)
 {
-  EXPECT_THROW(SecretKey(""), InvalidInput);
-  std::string secret = "gone";
+  coretesting::ExpectRefusal([] { SecretKey(""); }, "the secret key is empty");
+}
+
+// On the heap, which an emptied string keeps: what was there can be looked at.
+TEST(SecretKey, WipingLeavesZeros)
+{
+  std::string secret(64, 's');
+  const char* characters = secret.data();
   Wipe(secret);
   EXPECT_TRUE(secret.empty());
+  ASSERT_EQ(secret.data(), characters);
+  EXPECT_EQ(std::count(characters, characters + 64, '\0'), 64);
+}
+
+TEST(SecretKey, DestroyedLeavesZeros)
+{
+  alignas(SecretKey) std::array<unsigned char, sizeof(SecretKey)> storage{};
+  auto* key = new (storage.data()) SecretKey("a secret");
+  EXPECT_LT(std::count(storage.begin(), storage.end(), 0), 8); // a hash: hardly a byte is zero
+  key->~SecretKey();
+  EXPECT_EQ(std::count(storage.begin(), storage.end(), 0), std::ptrdiff_t{ sizeof(SecretKey) });
 }
