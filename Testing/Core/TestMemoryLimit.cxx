@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is free, and what is said when it is not enough.
-#include "Core/Errors.h"
 #include "Core/MemoryLimit.h"
 #include "Support/AddressSpace.h"
+#include "Support/CoreTesting.h"
 
 #include <gtest/gtest.h>
 
@@ -24,18 +24,19 @@ TEST(MemoryLimit, SomethingIsFreeAndKnown)
 
 TEST(MemoryLimit, MoreThanAnyMachineHasIsRefused)
 {
-  try
-  {
-    RequireMemory(1.23e18, "a billion harmonics", "ask for fewer");
-    FAIL();
-  }
-  catch (const InvalidInput& error)
-  {
-    const std::string text = error.what();
-    EXPECT_EQ(text.find("a billion harmonics need about 1230000000 GB of memory, and "),
-      std::size_t{ 0 });
-    EXPECT_NE(text.find(" GB are free: ask for fewer"), std::string::npos) << text;
-  }
+  const std::string text =
+    coretesting::RefusalOf([] { RequireMemory(1.23e18, "a billion harmonics", "ask for fewer"); });
+  EXPECT_EQ(text.find("a billion harmonics need about 1230000000 GB of memory, and "),
+    std::size_t{ 0 })
+    << text;
+  EXPECT_NE(text.find(" GB are free: ask for fewer"), std::string::npos) << text;
+}
+
+// More than 32 bits count: none are lost on the way to the text.
+TEST(MemoryLimit, TrianglesBeyondAnIntAreCounted)
+{
+  coretesting::ExpectRefusal([] { RequireMemoryForTriangles(Index{ 1 } << 40, 100.0); },
+    "1099511627776 triangles need about 109951 GB of memory");
 }
 
 #ifdef __linux__

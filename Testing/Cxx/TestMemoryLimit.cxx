@@ -12,13 +12,18 @@
 #include <vtkPolyData.h>
 #include <vtkSpectralWatermarkDetect.h>
 #include <vtkSpectralWatermarkEmbed.h>
+#include <vtkType.h>
 
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <new>
 #include <utility>
 #include <vector>
+
+// Counts of points, and of entries of matrices, go beyond an int.
+static_assert(sizeof(vtkIdType) >= 8 && sizeof(Eigen::Index) >= 8);
 
 #ifndef SPECTRALWATERMARK_NO_ADDRESS_LIMIT
 
