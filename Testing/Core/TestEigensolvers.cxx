@@ -4,6 +4,7 @@
 #include "Core/DenseEigensolver.h"
 #include "Core/Errors.h"
 #include "Core/LaplaceOperator.h"
+#include "Core/Panels.h"
 #include "Core/SpectraEigensolver.h"
 #include "Support/Shapes.h"
 
@@ -285,6 +286,18 @@ TYPED_TEST(BandedEigensolvers, SameBytesForTheSameInputAndAnyThreads)
   const EigenPairs second = SolveBanded<TypeParam>(problem, 80, 30, 3);
   EXPECT_TRUE((first.Values.array() == second.Values.array()).all());
   EXPECT_TRUE((first.Vectors.array() == second.Vectors.array()).all());
+}
+
+// The block solver takes a second thread where each has four chunks of rows; on fewer it is alone,
+// whatever was asked for.
+TEST(Eigensolvers, SameBytesOnTwoThreadsWhereBothAreTaken)
+{
+  const OwnedProblem problem(shapes::Rectangle(140, 140, 1.0, 0.7));
+  ASSERT_GE(problem.Stiffness.rows(), 2 * 4 * RowsPerChunk);
+  const EigenPairs alone = SolveBanded<BlockLanczosEigensolver>(problem, 20, 0, 1);
+  const EigenPairs both = SolveBanded<BlockLanczosEigensolver>(problem, 20, 0, 2);
+  EXPECT_TRUE((alone.Values.array() == both.Values.array()).all());
+  EXPECT_TRUE((alone.Vectors.array() == both.Vectors.array()).all());
 }
 
 TYPED_TEST(BandedEigensolvers, ProgressRisesAndAbortStops)
