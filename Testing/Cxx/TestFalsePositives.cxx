@@ -2,6 +2,7 @@
 // Unmarked meshes that are nothing like scans, where eigenvalues repeat and most magnitudes are rounding:
 // p-values hold there too. The scheme Robust: Core/TestSolidWatermark.cxx.
 #include "Support/FilterTesting.h"
+#include "Support/PValues.h"
 
 #include <vtkErrorCode.h>
 #include <vtkManifoldHarmonics.h>
@@ -43,30 +44,6 @@ vtkSmartPointer<vtkPolyData> WithHarmonics(vtkPolyData* mesh, int count)
   return harmonics->GetOutput();
 }
 
-// P(X >= successes) for a binomial X.
-double UpperTail(int trials, double chance, int successes)
-{
-  double tail = 0.0;
-  for (int k = trials; k >= successes; --k)
-  {
-    tail += std::exp(std::lgamma(trials + 1.0) - std::lgamma(k + 1.0) -
-      std::lgamma(trials - k + 1.0) + k * std::log(chance) + (trials - k) * std::log1p(-chance));
-  }
-  return tail;
-}
-
-// P-values of keys that marked nothing: no more small ones than chance has, in one of a million tests.
-void ExpectValid(const std::vector<double>& pValues)
-{
-  for (const double rate : { 0.5, 0.2, 0.05, 0.01, 0.001 })
-  {
-    const auto count = static_cast<int>(std::count_if(pValues.begin(), pValues.end(),
-      [rate](double value) { return value <= rate; }));
-    EXPECT_GT(UpperTail(static_cast<int>(pValues.size()), rate, count), 1e-6)
-      << count << " of " << pValues.size() << " at " << rate;
-  }
-}
-
 std::vector<double> PValuesOfKeys(vtkSpectralWatermarkDetect* detect, int keys)
 {
   std::vector<double> pValues;
@@ -98,7 +75,7 @@ TEST(FalsePositives, PaperSlotsUnderKeys)
       detect->SetNumberOfBits(12);
       detect->SetFirstComponent(21);
       detect->SetDetector(detector);
-      ExpectValid(PValuesOfKeys(detect, 200));
+      pvalues::ExpectValid(PValuesOfKeys(detect, 200));
       EXPECT_EQ(detect->GetNumberOfEigensolves(), 0);
     }
   }
