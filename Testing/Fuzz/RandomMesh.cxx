@@ -7,6 +7,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
@@ -220,6 +221,10 @@ void AddData(vtkPolyData* mesh)
     ofCells->SetValue(i, static_cast<int>(i));
   }
   mesh->GetCellData()->AddArray(ofCells);
+  vtkNew<vtkIntArray> ofMesh;
+  ofMesh->SetName("OfMesh");
+  ofMesh->InsertNextValue(7);
+  mesh->GetFieldData()->AddArray(ofMesh);
 }
 
 } // namespace
