@@ -2,6 +2,7 @@
 #include "Support/FilterTesting.h"
 
 #include <vtkDataArray.h>
+#include <vtkMath.h>
 #include <vtkMeshAttack.h>
 #include <vtkMeshDistortion.h>
 #include <vtkNew.h>
@@ -269,6 +270,27 @@ TEST(MeshDistortion, NeedsASurfaceOnBothPorts)
   EXPECT_NE(distortion->GetErrorCode(), 0u);
   EXPECT_EQ(distortion->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(distortion->GetMRMS(), -1.0);
+}
+
+// Meshes that do not correspond, where nothing but the correspondence is asked for.
+TEST(MeshDistortion, DamagedMeshesAreRefusedThoughNothingIsMeasured)
+{
+  for (const int damagedPort : { 0, 1 })
+  {
+    const auto damaged = PolyData(shapes::Icosphere(2));
+    damaged->GetPoints()->SetPoint(7, 0.0, vtkMath::Nan(), 0.0);
+    vtkNew<vtkMeshDistortion> distortion;
+    distortion->ComputeSurfaceDistancesOff();
+    distortion->ComputePerceptualDistancesOff();
+    distortion->SetInputData(damagedPort, damaged);
+    distortion->SetInputData(1 - damagedPort, PolyData(shapes::Icosphere(1)));
+    Listener listener(distortion);
+    distortion->Update();
+    EXPECT_NE(listener.Errors.find("point 7 has a coordinate that is not finite"),
+      std::string::npos)
+      << listener.Errors;
+    EXPECT_EQ(distortion->GetOutput()->GetNumberOfPoints(), 0);
+  }
 }
 
 TEST(MeshDistortion, PrintsItsResults)
