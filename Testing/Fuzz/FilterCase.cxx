@@ -414,7 +414,8 @@ void RequireSameSlots(vtkSpectralWatermarkEmbed* embed, vtkSpectralWatermarkDete
   {
     return;
   }
-  const double clear = 1e-6 * embed->GetOutput()->GetLength();
+  const double clear =
+    1e-6 * std::pow(embed->GetOutput()->GetLength(), 2); // magnitudes are in length^2
   auto* table = vtkTable::SafeDownCast(detect->GetOutputDataObject(1));
   for (std::size_t slot = 0; slot < read.size(); ++slot)
   {
