@@ -273,6 +273,13 @@ class BadInputTest(InFolder):
         self.fail_with("64 bits would move the surface by",
                        of=("embed", "model.ply", "out.ply", "--key-file", "my.key", "--distortion", 1e-4))
 
+    def test_an_empty_name_of_a_key_file_is_not_no_secret(self):
+        """As a script passes it whose variable is not set."""
+        text = "--key-file is empty: name the file that holds the secret"
+        for message in ((), ("--message", "1011")):
+            self.fail_with(text, of=("embed", "model.ply", "out.ply", "--key-file", "", *message))
+            self.fail_with(text, of=("detect", "model.ply", "--key-file=", *message))
+
     def test_a_secret_on_the_command_line_is_refused_and_not_repeated(self):
         for given in (("--key", "hunter2"), ("--key=hunter2",)):
             self.fail_with("not taken from the command line", of=("detect", "model.ply", *given))

@@ -22,6 +22,8 @@ def secret_of(arguments) -> dict[str, str]:
         raise UserError(f"{' and '.join(given)} are given together: only one secret can be used")
     if arguments.no_key:
         return {}
+    if arguments.key_file == "":  # a shell variable that is not set: no secret would mark publicly
+        raise UserError("--key-file is empty: name the file that holds the secret")
     if arguments.key_file is not None:
         return {"key_file": arguments.key_file}
     if arguments.ask_key:
