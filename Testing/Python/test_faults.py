@@ -146,14 +146,22 @@ class ForbiddenTest(InFolder):
         self.assertNotIn("out.ply", self.files())
 
     def test_without_a_folder_for_temporary_files(self):
-        """None are needed."""
-        environment = os.environ | dict.fromkeys(("TMPDIR", "TEMP", "TMP", "HOME"), "/nowhere/at/all")
-        for arguments in (("embed", "model.ply", "out.ply", "--key-file", "my.key", "--bits", 16),
-                          ("detect", "out.ply", "--key-file", "my.key", "--bits", 16),
-                          ("compare", "model.ply", "out.ply"),
-                          ("info", "out.ply")):
+        """None is needed: not the system's, nor the user's."""
+        (self.folder / "sitecustomize.py").write_text(  # where none is named, Python tries /tmp and others
+            "import tempfile\ntempfile._candidate_tempdir_list = lambda: ['/nowhere']\n")
+        environment = os.environ | {"HOME": "/nowhere/at/all", "PYTHONPATH": os.pathsep.join(
+            [str(self.folder), *filter(None, [os.environ.get("PYTHONPATH")])])}
+        commands = [("attack", "model.ply", "small.ply", "--simplify", 85),
+                    ("embed", "small.ply", "out.ply", "--key-file", "my.key", "--bits", 16),
+                    ("detect", "out.ply", "--key-file", "my.key", "--bits", 16),
+                    ("compare", "small.ply", "out.ply"),
+                    ("info", "out.ply")]
+        if shutil.which("Xvfb"):
+            commands.append(("report", "small.ply", "out.ply", "page.html", "--key-file", "my.key", "--bits", 16))
+        for arguments in commands:
             done = self.run_in_folder(*self.command(*arguments), env=environment)
             self.assertEqual((done.returncode, done.stderr), (DONE, ""), done)
+        self.assertEqual(list(self.folder.glob(".*")), [])
 
 
 class MemoryTest(InFolder):

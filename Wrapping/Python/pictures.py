@@ -320,8 +320,9 @@ def _write(window: vtkRenderWindow, path: Path) -> None:
     image.ReadFrontBufferOff()
     writer = vtkPNGWriter()
     writer.SetInputConnection(image.GetOutputPort())
+    writer.WriteToMemoryOn()  # to a full disk VTK would write nothing, and raise nothing
+    writer.Write()
     # Written beside and renamed: a picture is there whole or not at all.
     partial = path.with_suffix(".partial.png")
-    writer.SetFileName(str(partial))
-    writer.Write()
+    partial.write_bytes(vtk_to_numpy(writer.GetResult()))
     partial.replace(path)

@@ -85,11 +85,16 @@ def write_report(
     run(distortion, "comparing")
     readings = _readings(original, marked, detector, run)
     spectra = [_harmonics_of(mesh, run) for mesh in (original, marked)]
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        _draw(folder, original, marked, distortion, readings, spectra)
-        page = _page(folder, title, distortion, readings)
-    write_file(path, lambda partial: partial.write_text(page, encoding="utf-8"), replace)
+
+    def write(partial: Path) -> None:
+        # Beside the page: into that folder one can write, which is not sure of the system's for such files.
+        with tempfile.TemporaryDirectory(prefix=".", dir=partial.parent) as name:
+            folder = Path(name)
+            _draw(folder, original, marked, distortion, readings, spectra)
+            page = _page(folder, title, distortion, readings)
+        partial.write_text(page, encoding="utf-8")
+
+    write_file(path, write, replace)
     return readings
 
 
