@@ -21,6 +21,20 @@ ROOT = Path(__file__).resolve().parents[2]
 PEBBLE = ROOT / "Data" / "pebble.ply"
 PROGRAM = os.environ.get("SPECTRALWATERMARK_PROGRAM", str(ROOT / "build/bin/spectral-watermark"))
 DONE, NOT_FOUND, ERROR = 0, 1, 2
+NOT_FINITE = """ply
+format ascii 1.0
+element vertex 3
+property float x
+property float y
+property float z
+element face 1
+property list uchar int vertex_indices
+end_header
+nan 0 0
+1 0 0
+0 1 0
+3 0 1 2
+"""
 
 
 def run(*arguments, secret=None, **more):
@@ -244,6 +258,12 @@ class BadInputTest(InFolder):
                 self.fail_with(name, text, of=("detect", name, *key))
                 self.fail_with(name, text, of=("info", name))
                 self.fail_with(name, text, of=("compare", "model.ply", name))
+
+    def test_of_two_files_the_one_at_fault_is_named(self):
+        Path("bad.ply").write_text(NOT_FINITE)
+        for pair in (("model.ply", "bad.ply"), ("bad.ply", "model.ply")):
+            self.fail_with("spectral-watermark: bad.ply: point 0 has a coordinate that is not finite",
+                           of=("compare", *pair))
 
     def test_outputs(self):
         Path("there.ply").write_text("mine")

@@ -14,6 +14,20 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("SPECTRALWATERMARK_PROGRAM", str(ROOT / "build/bin/spectral-watermark"))
+NOT_FINITE = """ply
+format ascii 1.0
+element vertex 3
+property float x
+property float y
+property float z
+element face 1
+property list uchar int vertex_indices
+end_header
+nan 0 0
+1 0 0
+0 1 0
+3 0 1 2
+"""
 CHROMIUM = shutil.which("chromium")
 
 
@@ -80,6 +94,16 @@ class ReportTest(unittest.TestCase):
     def test_escapes_and_keeps_the_secret(self):
         self.assertIn("<h1>A &lt;stone&gt;</h1>", self.text)
         self.assertNotIn("a secret for the test", self.text)
+
+    def test_the_file_at_fault_is_named(self):
+        (self.folder / "bad.ply").write_text(NOT_FINITE)
+        (self.folder / "flat.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        for marked, text in (("bad.ply", "bad.ply: point 0 has a coordinate that is not finite"),
+                             ("flat.obj", "model.ply and flat.obj: ")):
+            done = self.run_program("report", "model.ply", marked, "other.html", "--key-file", "my.key", check=False)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), done)
+            self.assertTrue(done.stderr.startswith(f"spectral-watermark: {text}"), done.stderr)
+            self.assertFalse((self.folder / "other.html").exists())
 
     def test_nothing_to_draw_on(self):
         tools = self.folder / "tools"

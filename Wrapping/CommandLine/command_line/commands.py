@@ -27,7 +27,7 @@ from spectralwatermark.mesh_io import (
 from spectralwatermark.running import FilterError, update
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
-from vtkmodules.vtkCommonDataModel import vtkTable
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import terminal
@@ -46,10 +46,11 @@ def run(request: dict, show: Show) -> dict:
             if request["command"] in ("embed", "attack"):
                 stores_float(request["output"])  # raises for a format that cannot be written
         return {"file": request["input"]} | _COMMANDS[request["command"]](request, show)
-    except (MeshFileError, FilterError) as error:
-        text = str(error)
-        of_file = isinstance(error, MeshFileError) or text.startswith(request["input"])
-        return {"file": request["input"], "error": text if of_file else f"{request['input']}: {text}"}
+    except MeshFileError as error:  # names its file
+        return {"file": request["input"], "error": str(error)}
+    except FilterError as error:
+        files = " and ".join(request[name] for name in ("input", "other", "marked") if name in request)
+        return {"file": request["input"], "error": f"{files}: {error}"}
     except Exception as error:  # noqa: BLE001 - one file must not end the run, nor look like "not found"
         return {"file": request["input"],
                 "error": f"{request['input']}: {type(error).__name__}: {error}; please report this"}
@@ -60,6 +61,20 @@ def _update(algorithm: vtkAlgorithm, show: Show, what: str) -> float:
     started = time.monotonic()
     update(algorithm, lambda share: show(share, what), terminal.stopped)
     return time.monotonic() - started
+
+
+def _read_both(request: dict, other: str) -> list[vtkPolyData]:
+    """Two meshes. What every filter refuses is looked for in each, so that the error names one file."""
+    meshes = []
+    for path in (request["input"], request[other]):
+        meshes.append(read_mesh(path))
+        quick = vtkMeshAttack()
+        quick.SetInputData(meshes[-1])
+        try:
+            update(quick)
+        except FilterError as error:
+            raise MeshFileError(f"{path}: {error}") from None
+    return meshes
 
 
 # --- Watermarks ----------------------------------------------------------------------------------
@@ -219,7 +234,7 @@ _ATTACKS = {
 
 
 def _compare(request: dict, show: Show) -> dict:
-    reference, other = read_mesh(request["input"]), read_mesh(request["other"])
+    reference, other = _read_both(request, "other")
     distortion = vtkMeshDistortion()
     distortion.SetInputData(0, reference)
     distortion.SetInputData(1, other)
@@ -277,7 +292,7 @@ def _report(request: dict, show: Show) -> dict:
     from spectralwatermark.report import write_report
 
     readings = write_report(
-        read_mesh(request["input"]), read_mesh(request["marked"]), request["output"],
+        *_read_both(request, "marked"), request["output"],
         lambda: _detector(request), request["title"],
         lambda algorithm, what: _update(algorithm, show, what), request["force"])
     return {"marked": request["marked"], "output": request["output"], "found": readings[0].found,
