@@ -398,7 +398,7 @@ class ReadingTest(InFolder):
         self.assert_refused(read_mesh, self.file("mesh.xyz", b"0 0 0"), ".xyz", ".ply", ".off")
         self.assert_refused(read_mesh, self.file("mesh", b"0 0 0"), "without a suffix")
         for suffix in (*WRITTEN, ".off"):
-            self.assert_refused(read_mesh, self.file(f"empty{suffix}", b""), "empty")
+            self.assert_refused(read_mesh, self.file(f"none{suffix}", b""), "the file is empty")
 
     def test_less_memory_than_reading_takes(self):
         """Small files are not asked about beforehand."""
@@ -817,6 +817,9 @@ for path in sys.argv[1:]:
         faces = struct.pack("<B3iB3i", 3, 0, 1, 2, 3, 0, 2, 3)
         many = struct.pack("<i300i", 300, *range(3), *[0] * 297) * 2
         write_mesh(read_mesh(PEBBLE), self.folder / "pebble.stl")
+        write_mesh(triangle(), self.folder / "whole.vtp")
+        appended = (self.folder / "whole.vtp").read_bytes()
+        end = appended.rindex(b"</AppendedData>")
         vtp = (b'<VTKFile type="PolyData" byte_order="LittleEndian" header_type="UInt32"><PolyData><Piece '
                b'NumberOfPoints="3" NumberOfPolys="1"><Points><DataArray type="Float32" '
                b'NumberOfComponents="3" format="ascii">0 0 0 1 0 0 0 1 0</DataArray></Points><Polys>'
@@ -857,10 +860,18 @@ for path in sys.argv[1:]:
                 ("6.obj", points + b"f 1// 2// 3//\n", "line 5 cannot be understood: 'f 1// 2// 3//'"),
                 ("7.obj", points + b"f 1 2 /3\n", "line 5 cannot be understood: 'f 1 2 /3'"),
                 ("8.obj", points + b"v 1_0 0 0\n" + corners, "line 5 cannot be understood: 'v 1_0 0 0'"),
+                ("9.obj", points + b"v nan 0 0\n" + corners, "line 5 cannot be understood: 'v nan 0 0'"),
+                ("10.obj", points + b"vt 0 0\nf 1/1 2/3 3/1\n", "a face names number 3 of 1 texture coordinates"),
+                ("11.obj", points + b"vn 0 0 1\nf 1//1 2//3 3//1\n", "a face names number 3 of 1 normals"),
+                ("2.stl", b"solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 0\n", "; is the file damaged?"),
                 ("1.stl", (self.folder / "pebble.stl").read_bytes()[:-1],
                  "20480 triangles of binary STL take 1024084"),
                 ("1.off", SQUARE_OFF[:-8], "4 points and 2 faces announced, 5 lines there"),
                 ("2.off", SQUARE_OFF.replace(b"0 2 3", b"0 2 4"), "line 8 is not a face of three or more of 4"),
+                ("3.off", SQUARE_OFF.replace(b"1 1 0\n", b"1 1 nan\n"),
+                 "line 5 is not a point of 3 finite numbers; colours need COFF in the first line, normals NOFF"),
+                ("4.off", b"solid pebble\n", "does not begin with OFF, COFF or NOFF; is it an OFF file?"),
+                ("9.vtp", appended[:end - 20] + appended[end:], "its binary part is cut off or was copied as text"),
                 ("1.vtp", vtp.replace(b"connectivity", b"other"), "its Polys are incomplete"),
                 ("2.vtp", vtp.replace(b"</Piece>", b"").replace(b"</PolyData>", b""),
                  "its XML cannot be read"),

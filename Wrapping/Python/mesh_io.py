@@ -43,6 +43,7 @@ PLY, OBJ and STL hold polygons (OBJ lines, too); strips are written as triangles
 
 from __future__ import annotations
 
+import math
 import os
 import re
 import shutil
@@ -665,7 +666,8 @@ def _check_obj(data: bytes) -> int:
                 case [b"v" | b"vt" | b"vn" as kind, *values]:
                     found[kind] += 1
                     for i in range(sizes[kind]):
-                        float(values[i])
+                        if not math.isfinite(float(values[i])):
+                            raise ValueError
                     _refuse_underscores(values[:sizes[kind]])
                 case [b"usemtl", name, *_] if len(name) > _OBJ_NAME:
                     raise MeshFileError(f"line {number}: VTK reads no more than {_OBJ_NAME} "
