@@ -265,6 +265,15 @@ class BadInputTest(InFolder):
             self.fail_with("spectral-watermark: bad.ply: point 0 has a coordinate that is not finite",
                            of=("compare", *pair))
 
+    def test_a_name_that_is_too_long(self):
+        name = "x" * 300 + ".ply"
+        os.mkdir("out")
+        self.fail_with(f"{name}: cannot be read: File name too long", of=("info", name))
+        self.fail_with(f"{name}: cannot be written: File name too long",
+                       of=("embed", name, "--output-dir", "out", "--message", "1"))
+        self.fail_with(f"{name}: cannot be written: File name too long",
+                       of=("attack", "model.ply", name, "--noise", 1))
+
     def test_outputs(self):
         Path("there.ply").write_text("mine")
         key = ("--key-file", "my.key")

@@ -145,6 +145,18 @@ class ForbiddenTest(InFolder):
             self.assert_refused(done, name, "cannot be read")
         self.assertNotIn("out.ply", self.files())
 
+    def test_a_folder_that_may_not_be_entered(self):
+        locked = self.folder / "locked"
+        locked.mkdir()
+        locked.chmod(0o600)
+        self.addCleanup(locked.chmod, 0o700)
+        for done, *arguments in (("read", "info", "locked/a.ply"),
+                                 ("read", "compare", "model.ply", "locked/a.ply"),
+                                 ("written", "attack", "model.ply", "locked/a.ply", "--noise", 1),
+                                 ("written", "embed", "model.ply", "--output-dir", "locked", "--message", 1)):
+            said = self.run_in_folder(*AS_ANYONE, *self.command(*arguments))
+            self.assert_refused(said, "locked/", f"cannot be {done}: Permission denied")
+
     def test_without_a_folder_for_temporary_files(self):
         """None is needed: not the system's, nor the user's."""
         (self.folder / "sitecustomize.py").write_text(  # where none is named, Python tries /tmp and others

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 from spectralwatermark import vtkSpectralWatermarkDetect, vtkSpectralWatermarkEmbed
-from spectralwatermark.mesh_io import MeshFileError, read_mesh, stores_float, write_mesh
+from spectralwatermark.mesh_io import MeshFileError, read_mesh, stores_float, write_file, write_mesh
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -349,6 +349,9 @@ class WritingTest(InFolder):
         self.assert_refused(write, self.folder / "mesh.off", ".off", ".vtp")
         self.assert_refused(write, self.folder / "mesh", "without a suffix")
         self.assert_refused(stores_float, Path("mesh.xyz"), ".xyz")
+        self.assert_refused(write, self.folder / ("x" * 300 + ".ply"), "cannot be written: File name too long")
+        self.assert_refused(lambda path: write_file(path, lambda partial: None), self.folder / ("x." + "y" * 300),
+                            "cannot be written: File name too long")
         self.assertEqual([path.name for path in self.folder.iterdir()], ["folder.ply"])
 
     def test_a_full_disk_leaves_the_old_file_and_nothing_else(self):
@@ -395,6 +398,7 @@ class ReadingTest(InFolder):
     def test_no_file_to_read(self):
         self.assert_refused(read_mesh, self.folder / "missing.ply", "no such file")
         self.assert_refused(read_mesh, self.folder, "is a folder")
+        self.assert_refused(read_mesh, self.folder / ("x" * 300 + ".ply"), "cannot be read: File name too long")
         self.assert_refused(read_mesh, self.file("mesh.xyz", b"0 0 0"), ".xyz", ".ply", ".off")
         self.assert_refused(read_mesh, self.file("mesh", b"0 0 0"), "without a suffix")
         for suffix in (*WRITTEN, ".off"):

@@ -49,7 +49,7 @@ import re
 import shutil
 import struct
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -79,10 +79,11 @@ class MeshFileError(Exception):
 def read_mesh(path: str | os.PathLike) -> vtkPolyData:
     """The mesh in a PLY, OBJ, STL, VTP or OFF file; raises MeshFileError."""
     path = Path(path)
-    if path.is_dir():
-        raise MeshFileError(f"{path}: this is a folder; name a file in it")
-    if not path.exists():
-        raise MeshFileError(f"{path}: no such file; look at its name and folder")
+    with _system_errors(path, "read"):
+        if path.is_dir():
+            raise MeshFileError(f"{path}: this is a folder; name a file in it")
+        if not path.exists():
+            raise MeshFileError(f"{path}: no such file; look at its name and folder")
     read = _READERS[_suffix(path, _READERS, "read")]
     try:
         size = path.stat().st_size
@@ -144,21 +145,32 @@ def write_file(
     except OSError as error:
         raise MeshFileError(f"{path}: cannot be written: {error.strerror}") from error
     finally:
-        partial.unlink(missing_ok=True)
+        with suppress(OSError):  # it is there no longer, or could not be made
+            partial.unlink()
 
 
 def check_writable(path: str | os.PathLike) -> None:
     """Raises MeshFileError when no file of this name can be made: before the work, not after it."""
     path = Path(path)
-    if path.is_dir():
-        raise MeshFileError(f"{path}: this is a folder; name a file in it")
-    folder = Path(os.path.realpath(path)).parent
-    if not folder.is_dir():
-        raise MeshFileError(f"{path}: there is no folder {path.parent}; make it first")
-    if not os.access(folder, os.W_OK | os.X_OK):
-        raise MeshFileError(f"{path}: cannot be written: no permission to write into {path.parent}")
-    if path.exists() and not os.access(path, os.W_OK):
-        raise MeshFileError(f"{path}: is not replaced: it is read-only")
+    with _system_errors(path, "written"):
+        if path.is_dir():
+            raise MeshFileError(f"{path}: this is a folder; name a file in it")
+        folder = Path(os.path.realpath(path)).parent
+        if not folder.is_dir():
+            raise MeshFileError(f"{path}: there is no folder {path.parent}; make it first")
+        if not os.access(folder, os.W_OK | os.X_OK):
+            raise MeshFileError(f"{path}: cannot be written: no permission to write into {path.parent}")
+        if path.exists() and not os.access(path, os.W_OK):
+            raise MeshFileError(f"{path}: is not replaced: it is read-only")
+
+
+@contextmanager
+def _system_errors(path: Path, done: str) -> Iterator[None]:
+    """Of looking whether a file is there, say: its folder may not be entered, its name be too long."""
+    try:
+        yield
+    except OSError as error:
+        raise MeshFileError(f"{path}: cannot be {done}: {error.strerror}") from error
 
 
 def stores_float(path: str | os.PathLike) -> bool:
