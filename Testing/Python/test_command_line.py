@@ -323,7 +323,10 @@ class BadInputTest(InFolder):
             self.fail_with("--help", of=arguments)
 
     def test_text_and_names_that_are_no_utf8(self):
-        self.fail_with("not text in UTF-8", of=("embed", "model.ply", "out.ply", "--text", "\udcff"))
+        self.fail_with("the text is not text in UTF-8: write it in UTF-8, or give its bits (--message)",
+                       of=("embed", "model.ply", "out.ply", "--text", "\udcff"))
+        self.fail_with("SPECTRAL_WATERMARK_KEY is not text in UTF-8: put a secret of any bytes into a file",
+                       of=("embed", "model.ply", "out.ply"), secret="\udcff")
         os.rename("model.ply", "\udcff.ply")
         self.assertEqual(run("info", "\udcff.ply", errors="surrogateescape").returncode, DONE)
 
@@ -495,7 +498,9 @@ class TerminalTest(InFolder):
 
 
     def test_prompts_that_lead_nowhere(self):
-        for typed, text in ((b"\n", "no secret was typed"), (b"one\n", "the two differ: nothing was done")):
+        for typed, text in ((b"\n", "no secret was typed"), (b"one\n", "the two differ: nothing was done"),
+                            (b"\4", "no secret was typed"), (b"\3", "spectral-watermark: stopped"),
+                            (b"\xff\n", "the secret is not text in UTF-8: put a secret of any bytes into a file")):
             seen, code = self.on_a_terminal("embed", "model.ply", "marked.ply", "--ask-key", typed=typed,
                                             again=b"another\n")
             self.assertEqual(code, ERROR, seen)

@@ -118,7 +118,8 @@ def _scheme(arguments: Namespace) -> dict:
 def _message(arguments: Namespace) -> str:
     """The bits that were given, "" where none were."""
     if arguments.text is not None:
-        return "".join(f"{byte:08b}" for byte in encoded(arguments.text, "the text"))
+        text = encoded(arguments.text, "the text", "write it in UTF-8, or give its bits (--message)")
+        return "".join(f"{byte:08b}" for byte in text)
     return arguments.message or ""
 
 

@@ -36,21 +36,32 @@ def secret_of(arguments) -> dict[str, str]:
     return {}
 
 
-def encoded(text: str, what: str) -> bytes:
+ANY_BYTES = "put a secret of any bytes into a file (--key-file)"
+
+
+def encoded(text: str, what: str, advice: str = ANY_BYTES) -> bytes:
     try:
         return text.encode()
     except UnicodeEncodeError:
-        raise UserError(f"{what} is not text in UTF-8: put a secret of any bytes into a file "
-                        "(--key-file)") from None
+        raise UserError(f"{what} is not text in UTF-8: {advice}") from None
 
 
 def _ask(twice: bool) -> str:
     if not sys.stdin.isatty():
         raise UserError("--ask-key needs a terminal to ask on: use --key-file, or the environment "
                         f"variable {VARIABLE}")
-    secret = getpass.getpass("Secret: ")
+    secret = _typed("Secret: ")
     if not secret:
         raise UserError("no secret was typed")
-    if twice and getpass.getpass("Once more: ") != secret:
+    if twice and _typed("Once more: ") != secret:
         raise UserError("the two differ: nothing was done")
     return secret
+
+
+def _typed(prompt: str) -> str:
+    try:
+        return getpass.getpass(prompt)
+    except EOFError:  # Control-D
+        return ""
+    except UnicodeDecodeError:
+        raise UserError(f"the secret is not text in UTF-8: {ANY_BYTES}") from None
