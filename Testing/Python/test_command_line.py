@@ -383,6 +383,16 @@ class FaultTest(InFolder):
         self.fail_with("not written", of=("attack", "model.ply", "out.ply", "--noise", 1),
                        preexec_fn=limit)
 
+    def test_a_full_disk_for_what_is_printed(self):
+        text = "spectral-watermark: the output cannot be written: No space left on device\n"
+        shutil.copy("model.ply", "second.ply")
+        for arguments in (("info", "model.ply"), ("info", "model.ply", "second.ply"),
+                          ("info", "model.ply", "second.ply", "--json")):
+            with open("/dev/full", "w") as full:
+                done = subprocess.run([sys.executable, PROGRAM, *arguments], stdin=subprocess.DEVNULL, stdout=full,
+                                      stderr=subprocess.PIPE, text=True, check=False)
+            self.assertEqual((done.returncode, done.stderr), (ERROR, text))
+
     def interrupted(self, *arguments, by, when):
         """What the program says when the signal comes as soon as when() holds."""
         with subprocess.Popen([sys.executable, PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE,

@@ -34,13 +34,23 @@ def say(request: dict, result: dict, as_json: bool) -> None:
     if as_json:
         import json
 
-        print(json.dumps(result), flush=True)
+        _print(json.dumps(result))
     if "error" in result:
         say_error(result["error"])
     elif not as_json:
         from .words import lines_of
 
-        print("\n".join(lines_of(request, result)), flush=True)
+        _print("\n".join(lines_of(request, result)))
+
+
+def _print(text: str) -> None:
+    try:
+        print(text, flush=True)
+    except BrokenPipeError:
+        raise
+    except OSError as error:  # a full disk, say
+        forget_output()
+        raise UserError(f"the output cannot be written: {error.strerror}") from error
 
 
 def print_any_name() -> None:
@@ -190,6 +200,8 @@ def _end(work: Callable[[], int]) -> None:
         sys.stdout.flush()
     except BrokenPipeError:
         pass
+    except UserError as error:
+        say_error(str(error))
     except BaseException as error:  # noqa: BLE001 - a traceback would end with the code of "not found"
         say_error(f"{type(error).__name__}: {error}; please report this")
     finally:
