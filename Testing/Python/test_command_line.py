@@ -341,7 +341,12 @@ class BadInputTest(InFolder):
         for text, *arguments in (
                 ("the text is empty", "embed", "model.ply", "out.ply", "--text", ""),
                 ("'x' is not a number above 0", "embed", "model.ply", "out.ply", "--distortion", "x"),
-                ("'0' is not a number from 1 on", "harmonics", "model.ply", "out.vtp", "--number", "0"),
+                ("'0' is not a whole number from 1 on, or too large", "harmonics", "model.ply", "out.vtp", "--number", "0"),
+                ("'1.5' is not a whole number from 1 on, or too large", "detect", "model.ply", "--bits", "1.5"),
+                ("is not a whole number from 1 on, or too large", "detect", "model.ply", "--bits", "9" * 5000),
+                ("'nan' is not a finite number", "attack", "model.ply", "out.ply", "--noise", "nan"),
+                ("'inf' is not a finite number", "attack", "model.ply", "out.ply", "--stretch", "1", "inf", "1"),
+                ("'x' is not a finite number", "attack", "model.ply", "out.ply", "--crop", "x"),
                 ("'1.5' is not a whole number", "attack", "model.ply", "out.ply", "--seed", "1.5"),
                 ("'2' is not above 0 and up to 1", "detect", "model.ply", "--false-positive-rate", "2"),
                 ("name it .html", "report", "model.ply", "marked.ply", "page.pdf", "--key-file", "my.key"),
@@ -357,7 +362,7 @@ class BadInputTest(InFolder):
         self.fail_with("midpoint, loop and sqrt3",
                        of=("attack", "model.ply", "out.ply", "--subdivide", "catmull"))
         self.fail_with("cannot be 120", of=("attack", "model.ply", "out.ply", "--simplify", 120))
-        self.fail_with("not a number from 1 on", of=("harmonics", "model.ply", "out.csv", "--number", 0))
+        self.fail_with("not a whole number from 1 on", of=("harmonics", "model.ply", "out.csv", "--number", 0))
         self.fail_with("not a number above 0",
                        of=("embed", "model.ply", "out.ply", "--message", "1", "--distortion", "-1"))
         self.fail_with("two of the files", of=("embed", "model.ply", "./model.ply", "--output-dir", "out",

@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import argparse
+import math
 import os
+import re
 from difflib import get_close_matches
 from typing import NoReturn
 
@@ -226,7 +228,7 @@ def _add_attack(commands) -> None:
     for name, values, metavar, text in ATTACKS:
         types = {"subdivide": str, "smooth": _integer, "low-pass": _integer, "quantize": _integer,
                  "isosurface": _integer}
-        kwargs = {"metavar": metavar, "type": types.get(name, float)} if values else {}
+        kwargs = {"metavar": metavar, "type": types.get(name, _finite)} if values else {}
         nargs = None if values == 1 else values
         parser.add_argument(f"--{name}", dest="steps", action=_InOrder, const=name, nargs=nargs,
                             help=text, **kwargs)
@@ -357,8 +359,8 @@ def _text(text: str) -> str:
 
 
 def _count(text: str) -> int:
-    if not text.isascii() or not text.isdigit() or not 1 <= int(text) < 2**31:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a number from 1 on")
+    if not re.fullmatch("[0-9]{1,10}", text) or not 1 <= int(text) < 2**31:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 1 on, or too large")
     return int(text)
 
 
@@ -369,6 +371,16 @@ def _integer(text: str) -> int:
         value = 2**31
     if not -(2**31) <= value < 2**31 - 1000:  # the steps of an attack count on from the seed
         raise argparse.ArgumentTypeError(f"{text!r} is not a whole number, or too large")
+    return value
+
+
+def _finite(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a finite number")
     return value
 
 
