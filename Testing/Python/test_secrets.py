@@ -49,18 +49,22 @@ def serialized(data):
 
 @contextlib.contextmanager
 def everything_said():
-    """What VTK says anywhere meanwhile."""
+    """What VTK says anywhere meanwhile, and what its logger keeps, of the most that it can tell."""
     window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
     verbosity = vtkLogger.GetCurrentVerbosityCutoff()
     vtkOutputWindow.SetInstance(window)
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
     said = []
-    try:
-        yield said
-    finally:
-        vtkLogger.SetStderrVerbosity(verbosity)
-        vtkOutputWindow.SetInstance(before)
-        said.append(window.GetOutput())
+    with tempfile.TemporaryDirectory() as folder:
+        log = Path(folder, "log")
+        vtkLogger.LogToFile(str(log), vtkLogger.TRUNCATE, vtkLogger.VERBOSITY_MAX)
+        try:
+            yield said
+        finally:
+            vtkLogger.EndLogToFile(str(log))
+            vtkLogger.SetStderrVerbosity(verbosity)
+            vtkOutputWindow.SetInstance(before)
+            said.append(window.GetOutput() + log.read_text())
 
 
 class SecretsTest(unittest.TestCase):
@@ -76,14 +80,16 @@ class SecretsTest(unittest.TestCase):
             self.assert_without_secret(base64.b64encode(SECRET.encode()), "")
 
     def test_filters_show_it_nowhere(self):
+        mesh = read_mesh(PEBBLE)
         for scheme in (vtkSpectralWatermarkEmbed.Robust, vtkSpectralWatermarkEmbed.PaperSlots):
             with everything_said() as said:
                 embed = vtkSpectralWatermarkEmbed()
-                embed.SetInputData(read_mesh(PEBBLE))
+                embed.SetInputData(mesh)
                 detect = vtkSpectralWatermarkDetect()
                 detect.SetInputConnection(embed.GetOutputPort())
                 detect.UseDerivedMessageOn()
                 for each in (embed, detect):
+                    each.DebugOn()
                     each.SetScheme(scheme)
                     each.SetNumberOfBits(5)
                     each.SetSecretKey(SECRET)
@@ -97,16 +103,19 @@ class SecretsTest(unittest.TestCase):
                     self.assert_without_secret(serialized(output), "output")
                     self.assert_without_secret(str(output), "output's PrintSelf")
                     self.assert_without_secret(str(output.GetInformation()), "information")
+            self.assertIn("vtkSpectralWatermarkDetect", said[0])
             self.assert_without_secret(said[0], "messages")
 
     def test_errors_do_not_tell_it(self):
+        mesh = read_mesh(PEBBLE)
         with everything_said() as said:
             for spoil in (lambda each: each.SetSecretKeyFile("no such file"),
                           lambda each: each.SetNumberOfBits(5000),
                           lambda each: each.SetScheme(7)):
                 for kind in (vtkSpectralWatermarkEmbed, vtkSpectralWatermarkDetect):
                     each = kind()
-                    each.SetInputData(read_mesh(PEBBLE))
+                    each.DebugOn()
+                    each.SetInputData(mesh)
                     each.SetSecretKey(SECRET)
                     spoil(each)
                     each.Update()
@@ -125,6 +134,11 @@ class SecretsTest(unittest.TestCase):
                 seen += self.run_program(folder, *arguments, SPECTRAL_WATERMARK_KEY=SECRET)
                 seen += self.run_program(folder, *arguments, "--key-file", "my.key")
             seen += self.run_program(folder, "report", "model.ply", "marked.vtp", "page.html", "--key-file", "my.key")
+            for more in ({"SPECTRAL_WATERMARK_KEY": SECRET}, {}):
+                several = self.run_program(folder, "detect", "marked.vtp", "model.ply", "--jobs", "2",
+                                           *(() if more else ("--key-file", "my.key")), **more)
+                self.assertIn(b"\0worker\0", several)
+                seen += several
             self.assertIn(b'"found": true', seen)
             self.assert_without_secret(seen, "what was printed, and the arguments of its processes")
             for path in folder.iterdir():
@@ -136,19 +150,22 @@ class SecretsTest(unittest.TestCase):
         with subprocess.Popen([sys.executable, PROGRAM, *arguments], cwd=folder, env=os.environ | environment,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT) as program:
-            return self.arguments_of(program.pid) + program.communicate()[0]
+            return self.arguments_below(program) + program.communicate()[0]
 
     @staticmethod
-    def arguments_of(pid):
-        """Of a process and its children: what every user of the machine can see."""
-        seen = b""
-        for _ in range(10):
-            time.sleep(0.05)
-            with contextlib.suppress(OSError):
-                seen += Path(f"/proc/{pid}/cmdline").read_bytes()
-                for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split():
-                    seen += Path(f"/proc/{child}/cmdline").read_bytes()
-        return seen
+    def arguments_below(program):
+        """Of it and of all that it starts, to its end: what every user of the machine can see."""
+        seen = set()
+        while program.poll() is None:
+            pids = [program.pid]
+            while pids:
+                process = Path(f"/proc/{pids.pop()}")
+                with contextlib.suppress(OSError):  # it ended meanwhile
+                    seen.add((process / "cmdline").read_bytes())
+                    for children in process.glob("task/*/children"):
+                        pids += children.read_text().split()
+            time.sleep(0.02)
+        return b"".join(seen)
 
 
 if __name__ == "__main__":
