@@ -2,6 +2,7 @@
 """What the machine may do to the program: kill it, forbid it to write, leave it no memory."""
 
 import contextlib
+import json
 import os
 import random
 import resource
@@ -60,6 +61,7 @@ class KilledTest(InFolder):
         done = self.run_in_folder(*command(whole))
         self.assertEqual(done.returncode, DONE, done)
         model, marked = PEBBLE.read_bytes(), whole.read_bytes()
+        key = (self.folder / "my.key").read_bytes()
         target = self.folder / "out.ply"
         delays = random.Random(7)
         seen = {"before": 0, "while writing": 0, "after": 0}
@@ -76,12 +78,14 @@ class KilledTest(InFolder):
             after = target.read_bytes() if target.exists() else None
             self.assertIn(after, (before, marked), f"kill {number}")
             self.assertEqual((self.folder / "model.ply").read_bytes(), model)
+            self.assertEqual((self.folder / "my.key").read_bytes(), key)
             parts = list(self.folder.glob(".*.partial.ply"))
             seen["after" if after == marked else "while writing" if parts else "before"] += 1
             for path in (*parts, target):
                 path.unlink(missing_ok=True)
         print(f"{KILLS} kills of {command(target)[2]}: {seen}", file=sys.stderr)
-        self.assertGreater(seen["before"] + seen["while writing"], 0)
+        self.assertGreater(seen["before"], 0)
+        self.assertGreater(seen["while writing"], 0)
 
     def wait_for_the_moment(self, process, delays, seconds, at_the_file):
         """Any moment of the run; or one as the file is being written."""
@@ -196,18 +200,44 @@ class MemoryTest(InFolder):
                                 " GB are free; close other programs")
 
     def test_being_killed_is_said(self):
-        """As the system does where a process takes memory that is not there."""
-        with subprocess.Popen(self.command("info", "model.ply", "--capacity"), cwd=self.folder,
-                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                              text=True) as process:
-            children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
-            while not children.read_text():
-                time.sleep(0.01)
-            os.kill(int(children.read_text()), signal.SIGKILL)
+        """As the system does where a process takes memory that is not there; or as a reader that crashes."""
+        for number, text in ((signal.SIGKILL, "not done: killed, as the system does when memory runs out; close "
+                                              "other programs"),
+                             (signal.SIGSEGV, "the process that read it ended with -11; is the file damaged?")):
+            with self.started("info", "model.ply", "--capacity") as process:
+                os.kill(self.children_of(process, 1)[0], number)
+                said, error = process.communicate()
+            self.assertEqual((process.returncode, said), (ERROR, ""))
+            self.assertEqual(error, f"spectral-watermark: model.ply: {text}\n")
+
+    def test_one_of_several_that_is_killed_does_not_stop_the_rest(self):
+        shutil.copy(PEBBLE, self.folder / "second.ply")
+        with self.started("info", "model.ply", "second.ply", "--jobs", 2, "--json") as process:
+            os.kill(self.children_of(process, 2)[0], signal.SIGKILL)
             said, error = process.communicate()
-        self.assertEqual((process.returncode, said), (ERROR, ""))
-        self.assertEqual(error, "spectral-watermark: model.ply: not done: killed, as the system does when "
-                                "memory runs out; close other programs\n")
+        self.assertEqual(process.returncode, ERROR)
+        results = [json.loads(line) for line in said.splitlines()]
+        self.assertEqual([result["file"] for result in results], ["model.ply", "second.ply"])
+        killed = [result for result in results if "error" in result]
+        self.assertEqual([result["error"] for result in killed], [
+            f"{result['file']}: not done: killed, as the system does when memory runs out; close other programs"
+            for result in killed])
+        self.assertEqual((len(killed), sum("vertices" in result for result in results)), (1, 1))
+        self.assertIn("2 files: 1 done, 1 failed", error)
+
+    def started(self, *arguments):
+        return subprocess.Popen(self.command(*arguments), cwd=self.folder, stdin=subprocess.DEVNULL,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    @staticmethod
+    def children_of(process, number):
+        """As soon as there are that many; each thread has its own."""
+        found = []
+        while len(found) < number:
+            time.sleep(0.01)
+            found = [int(pid) for path in Path(f"/proc/{process.pid}/task").glob("*/children")
+                     for pid in path.read_text().split()]
+        return found
 
 
 if __name__ == "__main__":
