@@ -368,6 +368,14 @@ class BadInputTest(InFolder):
         self.fail_with("two of the files", of=("embed", "model.ply", "./model.ply", "--output-dir", "out",
                                                "--message", "1"))
 
+    def test_what_does_not_go_together(self):
+        self.fail_with("--read and a message are both given: read what there is, or look for one",
+                       of=("detect", "model.ply", "--read", "--message", "1", "--key-file", "my.key"))
+        self.fail_with("nothing to look for: give the secret (--key-file FILE), or the message that was embedded",
+                       of=("report", "model.ply", "model.ply", "page.html"))
+        self.fail_with("my.key: cannot be made: File exists",
+                       of=("embed", "model.ply", "--output-dir", "my.key", "--message", "1"))
+
     def test_two_runs_of_the_same_mesh_without_volume(self):
         Path("flat.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n")
         self.fail_with("flat.obj", "volume", of=("embed", "flat.obj", "out.ply", "--message", "1"))
@@ -380,6 +388,31 @@ class BadInputTest(InFolder):
 
 
 class FaultTest(InFolder):
+    def run_with(self, spoilt, *arguments):
+        """The program, with one of its functions replaced."""
+        script = ("import sys\nfrom unittest import mock\nfrom spectralwatermark.command_line import commands, main\n"
+                  f"with mock.patch({spoilt}):\n    sys.exit(main(sys.argv[1:]))\n")
+        return subprocess.run([sys.executable, "-c", script, *arguments], stdin=subprocess.DEVNULL,
+                              capture_output=True, text=True, check=False)
+
+    def test_a_mark_that_is_not_read_back_is_not_written(self):
+        done = self.run_with("'spectralwatermark.command_line.commands.vtkSpectralWatermarkEmbed', type('Fails', ("
+                             "commands.vtkSpectralWatermarkEmbed,), {'GetConverged': lambda self: 0})",
+                             "embed", "model.ply", "out.ply", "--key-file", "my.key")
+        self.assertEqual((done.returncode, done.stdout), (ERROR, ""), done)
+        self.assertEqual(done.stderr, "spectral-watermark: model.ply: the mark could not be embedded so that it is "
+                                      "read back; nothing was written. Try fewer bits or more --distortion\n")
+        self.assertEqual({path.name for path in self.folder.iterdir()}, {"model.ply", "my.key", "other.key"})
+
+    def test_what_nobody_thought_of_is_an_error_in_one_line(self):
+        """In what is done before, in the process that works, and in what it does to one file."""
+        for function, file in (("requests.requests_of", ""), ("commands.run", ""),
+                               ("inspection.describe", "model.ply: ")):
+            done = self.run_with(f"'spectralwatermark.command_line.{function}', side_effect=ValueError('a\\nb')",
+                                 "info", "model.ply")
+            self.assertEqual((done.returncode, done.stdout), (ERROR, ""), done)
+            self.assertEqual(done.stderr, f"spectral-watermark: {file}ValueError: a b; please report this\n")
+
     def test_a_full_disk_leaves_no_file(self):
         def limit():
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
@@ -525,10 +558,18 @@ class TerminalTest(InFolder):
 
 class HelpTest(unittest.TestCase):
     def test_every_help_teaches_by_example(self):
-        for command in ("embed", "detect", "attack", "compare", "harmonics", "info"):
+        for command in ("embed", "detect", "attack", "compare", "harmonics", "info", "report"):
             done = run(command, "--help")
             self.assertEqual(done.returncode, DONE)
             self.assertIn(f"\n  spectral-watermark {command} ", done.stdout)
+
+    def test_the_programs_own_help_teaches_a_first_time(self):
+        done = run("--help")
+        self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+        for command in ("embed", "detect", "attack", "compare"):
+            self.assertIn(f"\n  spectral-watermark {command} ", done.stdout)
+        for command in ("harmonics", "info", "report"):
+            self.assertRegex(done.stdout, rf"\n +{command}\s+\w")
 
     def test_version(self):
         self.assertRegex(run("--version").stdout, r"^spectral-watermark \d+\.\d+\.\d+\n$")
