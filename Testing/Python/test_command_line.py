@@ -128,6 +128,13 @@ class StoryTest(InFolder):
         self.assertIn("found, p-value 0.05",
                       self.succeed("detect", "marked.ply", *expected, "--false-positive-rate", 0.1))
 
+    def test_so_few_bits_that_nothing_would_be_found(self):
+        """Whatever agrees; without a secret a bit of the paper's agrees by chance in up to 60 % of all cases."""
+        for bits, *more in ((20, "--scheme", "paper", "--message", "10" * 10),
+                            (1, "--bits", 1, "--key-file", "my.key", "--false-positive-rate", 1e-9)):
+            self.fail_with(f"model.ply: {bits} bits cannot prove a mark at a false positive rate of ",
+                           "give --false-positive-rate (here p = ", " bits wrong)", of=("detect", "model.ply", *more))
+
     def test_compare(self):
         self.succeed("attack", "model.ply", "noisy.ply", "--noise", 1)
         self.succeed("compare", "model.ply", "noisy.ply", "--output", "differences.vtp")

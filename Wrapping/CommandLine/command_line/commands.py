@@ -26,7 +26,7 @@ from spectralwatermark.mesh_io import (
 )
 from spectralwatermark.running import FilterError, update
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkSMPTools
+from vtkmodules.vtkCommonCore import vtkCommand, vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
@@ -107,7 +107,8 @@ def _embed(request: dict, show: Show) -> dict:
 
 
 def _detect(request: dict, show: Show) -> dict:
-    detect = _detector(request)
+    warnings: list[str] = []
+    detect = _detector(request, warnings)
     detect.SetInputData(read_mesh(request["input"]))
     seconds = _update(detect, show, "detecting")
     derived = bool(detect.GetUseDerivedMessage())
@@ -117,13 +118,9 @@ def _detect(request: dict, show: Show) -> dict:
     result = {"scheme": request["scheme"], "secret": _has_secret(request), "bits": len(read),
               "read": read, "valid": valid, "seconds": round(seconds, 3)}
     if expected:
+        _check_provable(detect, warnings)
         result |= {"found": bool(detect.GetDetected()), "p_value": detect.GetPValue(),
-                   "wrong_bits": round(detect.GetBitErrorRate() * len(read))}
-        if request["scheme"] == "paper" and 2.0 ** -len(read) > request["rate"]:
-            raise FilterError(f"{len(read)} bits of the paper's scheme cannot prove a mark at a false "
-                              f"positive rate of {request['rate']:g}: look for more bits, or give "
-                              f"--false-positive-rate (here p = {detect.GetPValue():.2g}, "
-                              f"{result['wrong_bits']} bits wrong)")
+                   "wrong_bits": _wrong_bits(detect)}
     elif request["scheme"] == "robust":  # messages of the paper's scheme have no check: read, not found
         result["found"] = valid
     if not derived and valid and (text := _text_of(read)):
@@ -131,14 +128,33 @@ def _detect(request: dict, show: Show) -> dict:
     return result
 
 
-def _detector(request: dict) -> vtkSpectralWatermarkDetect:
+def _detector(request: dict, warnings: list[str]) -> vtkSpectralWatermarkDetect:
+    """What it warns of is appended to the list."""
     detect = vtkSpectralWatermarkDetect()
     _set_watermark(detect, request)
     detect.SetExpectedMessage(request["message"])
     detect.SetUseDerivedMessage(
         _has_secret(request) and not request["message"] and not request["read"])
     detect.SetFalsePositiveRate(request["rate"])
+
+    def warn(_caller, _event, text: str) -> None:
+        warnings.append(text)
+
+    warn.CallDataType = "string0"
+    detect.AddObserver(vtkCommand.WarningEvent, warn)
     return detect
+
+
+def _check_provable(detect: vtkSpectralWatermarkDetect, warnings: list[str]) -> None:
+    """Where even full agreement would not count as found, "not found" would say nothing."""
+    if any("cannot prove" in text for text in warnings):
+        raise FilterError(f"{len(detect.GetExtractedMessage())} bits cannot prove a mark at a false positive rate of "
+                          f"{detect.GetFalsePositiveRate():g}: look for more bits, or give --false-positive-rate "
+                          f"(here p = {detect.GetPValue():.2g}, {_wrong_bits(detect)} bits wrong)")
+
+
+def _wrong_bits(detect: vtkSpectralWatermarkDetect) -> int:
+    return round(detect.GetBitErrorRate() * len(detect.GetExtractedMessage()))
 
 
 def _set_watermark(watermark: vtkSpectralWatermarkAlgorithm, request: dict) -> None:
@@ -291,10 +307,15 @@ def _info(request: dict, show: Show) -> dict:
 def _report(request: dict, show: Show) -> dict:
     from spectralwatermark.report import write_report
 
-    readings = write_report(
-        *_read_both(request, "marked"), request["output"],
-        lambda: _detector(request), request["title"],
-        lambda algorithm, what: _update(algorithm, show, what), request["force"])
+    warnings: list[str] = []
+
+    def run_filter(algorithm: vtkAlgorithm, what: str) -> None:
+        _update(algorithm, show, what)
+        if isinstance(algorithm, vtkSpectralWatermarkDetect):
+            _check_provable(algorithm, warnings)
+
+    readings = write_report(*_read_both(request, "marked"), request["output"], lambda: _detector(request, warnings),
+                            request["title"], run_filter, request["force"])
     return {"marked": request["marked"], "output": request["output"], "found": readings[0].found,
             "attacks": len(readings) - 2, "survived": sum(each.found for each in readings[1:-1])}
 
