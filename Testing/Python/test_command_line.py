@@ -344,6 +344,39 @@ class BadInputTest(InFolder):
         self.succeed("embed", "model.ply", "out.ply", "--message", "1011", "--no-key", secret="a secret")
         self.assertIn("reads 1011", self.succeed("detect", "out.ply", "--bits", 4))
 
+    def test_what_filters_refuse_is_said_in_options(self):
+        Path("flat.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n")
+        attack = ("attack", "model.ply", "out.ply")
+        for text, *arguments in (
+                ("--scale cannot be 0.0; the nearest is", *attack, "--scale", 0),
+                ("--noise cannot be -1.0; the nearest is 0.0", *attack, "--noise", -1),
+                ("--noise-along-normals cannot be -1.0; the nearest is 0.0", *attack, "--noise-along-normals", -1),
+                ("--stretch has a 0, which flattens the mesh", *attack, "--stretch", 0, 1, 1),
+                ("--smooth cannot be -1; the nearest is 0", *attack, "--smooth", -1),
+                ("--low-pass cannot be 0; the nearest is 1", *attack, "--low-pass", 0),
+                ("--quantize cannot be 0; the nearest is 1", *attack, "--quantize", 0),
+                ("--simplify cannot be 120.0; the nearest is", *attack, "--simplify", 120),
+                ("--remesh cannot be 0.0; the nearest is", *attack, "--remesh", 0),
+                ("--isosurface cannot be 1; the nearest is", *attack, "--isosurface", 1),
+                ("--crop cannot be 100.0; the nearest is", *attack, "--crop", 100),
+                ("beyond what float holds: scale the mesh", *attack, "--translate", 1e300, 0, 0),
+                ("close the holes, or use --remesh", "attack", "flat.obj", "out.ply", "--isosurface", 10),
+                ("close it, or use --scheme paper", "detect", "flat.obj"),
+                ("of its diagonal, more than --distortion, ",
+                 "embed", "model.ply", "out.ply", "--message", 1, "--distortion", 1e-7)):
+            with self.subTest(text):
+                self.fail_with(text, of=arguments)
+
+    def test_parts_that_could_be_moved_against_each_other(self):
+        """Of the paper's first component, which is for filters to choose, the program does not speak."""
+        corners = [f"v {3 * k + x} {y} {z}\n" for k in range(30)
+                   for x, y, z in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))]
+        faces = [f"f {4 * k + a} {4 * k + b} {4 * k + c}\n" for k in range(30)
+                 for a, b, c in ((1, 3, 2), (1, 2, 4), (2, 3, 4), (1, 4, 3))]
+        Path("many.obj").write_text("".join(corners + faces))
+        self.fail_with("the mesh has 30 components", "against each other. Take the largest component alone",
+                       of=("embed", "many.obj", "out.ply", "--scheme", "paper", "--message", 1))
+
     def test_values_that_no_option_takes(self):
         for text, *arguments in (
                 ("the text is empty", "embed", "model.ply", "out.ply", "--text", ""),

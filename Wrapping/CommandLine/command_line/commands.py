@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import csv
+import re
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -50,10 +51,29 @@ def run(request: dict, show: Show) -> dict:
         return {"file": request["input"], "error": str(error)}
     except FilterError as error:
         files = " and ".join(request[name] for name in ("input", "other", "marked") if name in request)
-        return {"file": request["input"], "error": f"{files}: {error}"}
+        return {"file": request["input"], "error": f"{files}: {_in_options(str(error))}"}
     except Exception as error:  # noqa: BLE001 - one file must not end the run, nor look like "not found"
         return {"file": request["input"],
                 "error": f"{request['input']}: {type(error).__name__}: {error}; please report this"}
+
+
+# What the filters call it, as a regular expression, and what it is called here.
+_OPTIONS = {
+    "the scheme PaperSlots": "--scheme paper", "MaximumDistortion": "--distortion",
+    r"Set FirstComponent to \d+ or more, or take": "Take", "set OutputPointsPrecision to double, or ": "",
+    r"\bScaleFactor": "--scale", "AxisScaleFactors": "--stretch", "NoisePercent": "--noise",
+    "NoiseFactor": "--noise-along-normals", "SmoothingIterations": "--smooth", "NumberOfHarmonics": "--low-pass",
+    "QuantizationBits": "--quantize", "SimplificationPercent": "--simplify",
+    "lower NumberOfSubdivisions": "subdivide it less often", "RemeshingPercent": "--remesh",
+    "IsosurfaceResolution": "--isosurface", "CroppingPercent": "--crop",
+    r" \(vtkFillHolesFilter\), or use the uniform remeshing": ", or use --remesh",
+}
+
+
+def _in_options(text: str) -> str:
+    for name, option in _OPTIONS.items():
+        text = re.sub(name, option, text)
+    return text
 
 
 def _update(algorithm: vtkAlgorithm, show: Show, what: str) -> float:
@@ -216,7 +236,7 @@ def _set_in_range(attack: vtkMeshAttack, name: str, value) -> None:
     getattr(attack, f"Set{name}")(value)
     taken = getattr(attack, f"Get{name}")()
     if taken != (tuple(value) if isinstance(value, list) else value):
-        raise FilterError(f"{attack.GetAttackAsString()}: {name} cannot be {value}; the nearest is {taken}")
+        raise FilterError(f"{name} cannot be {value}; the nearest is {taken}")
 
 
 def _subdivide(attack: vtkMeshAttack, scheme: str) -> None:
