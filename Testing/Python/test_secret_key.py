@@ -2,6 +2,7 @@
 """What a secret key decides, derived a second time: hashlib's BLAKE2b and a ChaCha20 of its own."""
 
 import hashlib
+import re
 import struct
 import unittest
 from pathlib import Path
@@ -10,8 +11,10 @@ from spectralwatermark import vtkManifoldHarmonics, vtkSpectralWatermarkDetect
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOPLY import vtkPLYReader
 
-PEBBLE = Path(__file__).resolve().parents[2] / "Data" / "pebble.ply"
-POSITIONS, KEYSTREAM, MESSAGE = 1, 2, 3
+ROOT = Path(__file__).resolve().parents[2]
+PEBBLE = ROOT / "Data" / "pebble.ply"
+PINNED_IN = ROOT / "Testing" / "Core" / "TestSecretKey.cxx"
+POSITIONS, KEYSTREAM, MESSAGE, WAVES, DITHERS, CARRIER_KEYSTREAM, CHECK = range(1, 8)
 BITS = 12
 
 
@@ -38,17 +41,32 @@ def chacha20_block(key: bytes, counter: int, nonce: bytes) -> bytes:
     return struct.pack("<16I", *((a + b) & 0xFFFFFFFF for a, b in zip(state, start)))
 
 
-def stream(secret: bytes, purpose: int, size: int) -> bytes:
+def seed(secret: bytes, purpose: int) -> bytes:
     master = hashlib.blake2b(secret, digest_size=32, key=b"SpectralWatermark v1").digest()
-    seed = hashlib.blake2b(digest_size=32, key=master, salt=struct.pack("<QQ", purpose, 0),
+    return hashlib.blake2b(digest_size=32, key=master, salt=struct.pack("<QQ", purpose, 0),
                            person=b"SpecWM_1").digest()
-    blocks = (chacha20_block(seed, i, b"LibsodiumDRG") for i in range(-(-size // 64)))
+
+
+def stream(secret: bytes, purpose: int, size: int) -> bytes:
+    blocks = (chacha20_block(seed(secret, purpose), i, b"LibsodiumDRG") for i in range(-(-size // 64)))
     return b"".join(blocks)[:size]
 
 
-def bits(secret: bytes, purpose: int, count: int) -> list[int]:
-    packed = stream(secret, purpose, -(-count // 8))
+def first_bits(packed: bytes, count: int) -> list[int]:
     return [packed[i // 8] >> (i % 8) & 1 for i in range(count)]
+
+
+def bits(secret: bytes, purpose: int, count: int) -> list[int]:
+    return first_bits(stream(secret, purpose, -(-count // 8)), count)
+
+
+def uniform(secret: bytes, purpose: int, count: int) -> list[float]:
+    """In [0, 1), of 53 bits."""
+    return [(word >> 11) * 2.0**-53 for word in struct.unpack(f"<{count}Q", stream(secret, purpose, 8 * count))]
+
+
+def check(secret: bytes, message: str, count: int) -> list[int]:
+    return first_bits(hashlib.blake2b(message.encode(), digest_size=32, key=seed(secret, CHECK)).digest(), count)
 
 
 class SecretKeyTest(unittest.TestCase):
@@ -99,6 +117,18 @@ class SecretKeyTest(unittest.TestCase):
         given.Update()
         self.assertEqual(derived.GetBitErrorRate(), given.GetBitErrorRate())
         self.assertEqual(derived.GetLogLikelihoodRatio(), given.GetLogLikelihoodRatio())
+
+    def test_what_the_robust_scheme_derives(self):
+        """The numbers that TestSecretKey.cxx pins."""
+        pinned = (PINNED_IN.read_text().split("DerivationForTheRobustSchemeIsPinned", 1)[1]).split("\n}", 1)[0]
+        secret = b"a secret"
+        for name, purpose in (("WaveNumbers", WAVES), ("Dither", DITHERS)):
+            numbers = re.search(rf"key\.{name}\(3\),\s*\(std::vector<double>{{ (.*?) }}", pinned)[1]
+            self.assertEqual(uniform(secret, purpose, 3), [float(number) for number in numbers.split(",")])
+        for call, derived in ((r"CarrierKeystream\(24\)", bits(secret, CARRIER_KEYSTREAM, 24)),
+                              (r'Check\("10110", 24\)', check(secret, "10110", 24))):
+            self.assertEqual("".join(map(str, derived)),
+                             re.search(rf'EXPECT_EQ\(key\.{call}, "([01]+)"', pinned)[1])
 
     def test_there_is_no_getter(self):
         detect = self.detector("a secret")
