@@ -180,6 +180,37 @@ class ForbiddenTest(InFolder):
         self.assertEqual(list(self.folder.glob(".*")), [])
 
 
+# A disk of 64 KiB that only the command sees; what is left on it is printed.
+SMALL_DISK = ["unshare", "-rm", "sh", "-c",
+              'mount -t tmpfs -o size=64k none full && "$@"; code=$?; ls -A full; exit $code', "sh"]
+
+
+class FullDiskTest(InFolder):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "full").mkdir()
+        done = self.run_in_folder(*SMALL_DISK, "true")
+        if done.returncode:
+            self.skipTest(f"a user may not mount a small disk here: {done.stderr.strip()}")
+
+    def assert_full(self, text, *arguments):
+        self.assert_refused(self.run_in_folder(*SMALL_DISK, *self.command(*arguments)), text)
+
+    def test_meshes(self):
+        for suffix in (".ply", ".obj", ".stl", ".vtp"):
+            target = f"full/out{suffix}"
+            self.assert_full(f"{target}: not written: VTK left it incomplete; is the disk full?\n",
+                             "attack", "model.ply", target, "--noise", 1)
+
+    def test_tables_and_pages(self):
+        self.run_in_folder(*self.command("attack", "model.ply", "small.ply", "--simplify", 85))
+        commands = [("harmonics", "small.ply", "full/out.csv", "--number", 900)]
+        if shutil.which("Xvfb"):
+            commands.append(("report", "small.ply", "small.ply", "full/out.html", "--message", "10" * 10))
+        for command in commands:
+            self.assert_full("cannot be written: No space left on device\n", *command)
+
+
 class MemoryTest(InFolder):
     def test_too_little_memory_is_said_before_the_work(self):
         def limit():

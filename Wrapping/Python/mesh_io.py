@@ -69,6 +69,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 __all__ = ["MeshFileError", "check_writable", "read_mesh", "stores_float", "write_file", "write_mesh"]
 
+_INCOMPLETE = "VTK left it incomplete; is the disk full?"
 _COLOURS = "colours"  # the array's name, as the PLY writer is told it
 
 
@@ -229,9 +230,9 @@ def _run_writer(writer: vtkAlgorithm, mesh: vtkPolyData, path: Path) -> None:
     writer.SetFileName(os.fsencode(path))
     with _vtk_messages() as messages:
         writer.Write()
-    # Each writer has its own way of telling: a message, a code, or no file.
+    # Each writer has its own way of telling, a message, a code, or no file, and no way of saying why.
     if _first_error(messages) or writer.GetErrorCode() or not path.exists():
-        raise MeshFileError(f"{_first_error(messages) or 'VTK failed'}; is the disk full?")
+        raise MeshFileError(_INCOMPLETE)
 
 
 @contextmanager
@@ -978,7 +979,7 @@ def _expect_whole(path: Path, check: Callable[[bytes], object]) -> None:
     try:
         check(path.read_bytes())
     except MeshFileError:
-        raise MeshFileError("VTK left it incomplete; is the disk full?") from None
+        raise MeshFileError(_INCOMPLETE) from None
 
 
 _READERS = {".ply": _read_ply, ".obj": _read_obj, ".stl": _read_stl, ".vtp": _read_vtp,
