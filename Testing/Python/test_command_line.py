@@ -460,6 +460,8 @@ class FaultTest(InFolder):
 
         self.fail_with("not written", of=("attack", "model.ply", "out.ply", "--noise", 1),
                        preexec_fn=limit)
+        self.fail_with("out.csv: cannot be written: File too large",
+                       of=("harmonics", "model.ply", "out.csv", "--number", 30), preexec_fn=limit)
 
     def test_a_full_disk_for_what_is_printed(self):
         text = "spectral-watermark: the output cannot be written: No space left on device\n"

@@ -112,6 +112,25 @@ class ReportTest(unittest.TestCase):
         self.assertIn("2 bits cannot prove a mark at a false positive rate of 1e-06", done.stderr)
         self.assertFalse((self.folder / "other.html").exists())
 
+    def test_without_a_message_to_look_for(self):
+        script = """
+from spectralwatermark import vtkSpectralWatermarkDetect
+from spectralwatermark.mesh_io import read_mesh
+from spectralwatermark.report import write_report
+from spectralwatermark.running import FilterError
+mesh = read_mesh("model.ply")
+try:
+    write_report(mesh, mesh, "other.html", vtkSpectralWatermarkDetect)
+except FilterError as error:
+    print(error)
+"""
+        done = subprocess.run(["xvfb-run", "-a", sys.executable, "-c", script], cwd=self.folder, capture_output=True,
+                              text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout, "the report needs a message to look for: set a secret key and "
+                                      "UseDerivedMessage, or ExpectedMessage\n")
+        self.assertFalse((self.folder / "other.html").exists())
+
     def test_nothing_to_draw_on(self):
         tools = self.folder / "tools"
         tools.mkdir()
