@@ -39,6 +39,7 @@ def run(data: bytes) -> None:
         return
     if choice // 8 % 4 == 0:
         _there_and_back(mesh, WRITTEN[choice // 32 % len(WRITTEN)])
+        assert not list(Path(_folder.name).glob(".*")), "a part of a file is left"
 
 
 def _there_and_back(mesh, suffix: str) -> None:
@@ -56,4 +57,3 @@ def _there_and_back(mesh, suffix: str) -> None:
             assert again.GetNumberOfPolys() == polygons
     finally:
         target.unlink()
-        assert not os.path.exists(f"{target}.partial")
