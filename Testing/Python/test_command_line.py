@@ -381,7 +381,8 @@ class BadInputTest(InFolder):
         for text, *arguments in (
                 ("the text is empty", "embed", "model.ply", "out.ply", "--text", ""),
                 ("'x' is not a number above 0", "embed", "model.ply", "out.ply", "--distortion", "x"),
-                ("'0' is not a whole number from 1 on, or too large", "harmonics", "model.ply", "out.vtp", "--number", "0"),
+                ("'0' is not a whole number from 1 on, or too large",
+                 "harmonics", "model.ply", "out.vtp", "--number", "0"),
                 ("'1.5' is not a whole number from 1 on, or too large", "detect", "model.ply", "--bits", "1.5"),
                 ("is not a whole number from 1 on, or too large", "detect", "model.ply", "--bits", "9" * 5000),
                 ("'nan' is not a finite number", "attack", "model.ply", "out.ply", "--noise", "nan"),

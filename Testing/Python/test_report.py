@@ -106,8 +106,8 @@ class ReportTest(unittest.TestCase):
             self.assertFalse((self.folder / "other.html").exists())
 
     def test_so_few_bits_that_nothing_would_be_found(self):
-        done = self.run_program("report", "model.ply", "marked.ply", "other.html", "--scheme", "paper", "--message", "10",
-                                check=False)
+        done = self.run_program("report", "model.ply", "marked.ply", "other.html", "--scheme", "paper",
+                                "--message", "10", check=False)
         self.assertEqual((done.returncode, done.stdout), (2, ""), done)
         self.assertIn("2 bits cannot prove a mark at a false positive rate of 1e-06", done.stderr)
         self.assertFalse((self.folder / "other.html").exists())
