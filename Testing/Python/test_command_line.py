@@ -271,6 +271,8 @@ class BadInputTest(InFolder):
         for pair in (("model.ply", "bad.ply"), ("bad.ply", "model.ply")):
             self.fail_with("spectral-watermark: bad.ply: point 0 has a coordinate that is not finite",
                            of=("compare", *pair))
+        self.fail_with("spectral-watermark: bad.ply: point 0 has a coordinate that is not finite",
+                       of=("info", "bad.ply"))
 
     def test_a_name_that_is_too_long(self):
         name = "x" * 300 + ".ply"

@@ -83,18 +83,16 @@ def _update(algorithm: vtkAlgorithm, show: Show, what: str) -> float:
     return time.monotonic() - started
 
 
-def _read_both(request: dict, other: str) -> list[vtkPolyData]:
-    """Two meshes. What every filter refuses is looked for in each, so that the error names one file."""
-    meshes = []
-    for path in (request["input"], request[other]):
-        meshes.append(read_mesh(path))
-        quick = vtkMeshAttack()
-        quick.SetInputData(meshes[-1])
-        try:
-            update(quick)
-        except FilterError as error:
-            raise MeshFileError(f"{path}: {error}") from None
-    return meshes
+def _read_sound(path: str) -> vtkPolyData:
+    """A mesh that filters take: what every one of them refuses is said here, with its file's name."""
+    mesh = read_mesh(path)
+    quick = vtkMeshAttack()
+    quick.SetInputData(mesh)
+    try:
+        update(quick)
+    except FilterError as error:
+        raise MeshFileError(f"{path}: {error}") from None
+    return mesh
 
 
 # --- Watermarks ----------------------------------------------------------------------------------
@@ -270,7 +268,7 @@ _ATTACKS = {
 
 
 def _compare(request: dict, show: Show) -> dict:
-    reference, other = _read_both(request, "other")
+    reference, other = map(_read_sound, (request["input"], request["other"]))
     distortion = vtkMeshDistortion()
     distortion.SetInputData(0, reference)
     distortion.SetInputData(1, other)
@@ -315,7 +313,7 @@ def _write_table(table: vtkTable, path: Path) -> None:
 def _info(request: dict, show: Show) -> dict:
     from .inspection import capacity_of, describe
 
-    mesh = read_mesh(request["input"])
+    mesh = _read_sound(request["input"])
     result = describe(mesh)
     if request["capacity"]:
         result |= {"capacity_bits": capacity_of(mesh, request["distortion"],
@@ -334,8 +332,9 @@ def _report(request: dict, show: Show) -> dict:
         if isinstance(algorithm, vtkSpectralWatermarkDetect):
             _check_provable(algorithm, warnings)
 
-    readings = write_report(*_read_both(request, "marked"), request["output"], lambda: _detector(request, warnings),
-                            request["title"], run_filter, request["force"])
+    readings = write_report(
+        _read_sound(request["input"]), _read_sound(request["marked"]), request["output"],
+        lambda: _detector(request, warnings), request["title"], run_filter, request["force"])
     return {"marked": request["marked"], "output": request["output"], "found": readings[0].found,
             "attacks": len(readings) - 2, "survived": sum(each.found for each in readings[1:-1])}
 
