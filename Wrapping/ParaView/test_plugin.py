@@ -11,7 +11,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from paraview import servermanager
+from paraview import servermanager, smtrace
 from paraview.simple import *
 
 # The menu's filters, and the filters' classes.
@@ -31,6 +31,8 @@ def main(plugin, mesh_file, output):
         model = OpenDataFile(mesh_file)
         check_harmonics(model, folder)
         check_watermark(model, key.name, folder)
+        check_nothing_shows_the_secret()
+        check_a_trace_has_the_files_name_only(model, key.name)
         check_nothing_holds_the_secret(key.name, folder)
         check_macro(model, key.name)
     print("the plugin works")
@@ -122,6 +124,30 @@ def check_watermark(model, key_file, folder):
 def result(watermark, name):
     figures = watermark.GetDataInformation(1).GetFieldDataInformation()
     return figures.GetArrayInformation(name).GetComponentRange(0)[0]
+
+
+def check_nothing_shows_the_secret():
+    """In the information panel, the spreadsheet and the statistics: all that a client knows of the outputs."""
+    seen = ""
+    for (name, _), source in GetSources().items():
+        for port in range(source.SMProxy.GetNumberOfOutputPorts()):
+            data = servermanager.Fetch(OutputPort(source, port))
+            seen += f"{name} {source.GetDataInformation(port).DataInformation} {data} {texts_of(data)}"
+    assert "Detected" in seen and SECRET not in seen
+
+
+def texts_of(data):
+    arrays = data.GetFieldData()
+    return [arrays.GetAbstractArray(i).GetVariantValue(k).ToString()
+            for i in range(arrays.GetNumberOfArrays())
+            for k in range(arrays.GetAbstractArray(i).GetNumberOfValues())]
+
+
+def check_a_trace_has_the_files_name_only(model, key_file):
+    smtrace.start_trace()
+    EmbedSpectralWatermark(Input=model, SecretKeyFile=key_file).UpdatePipeline()
+    trace = smtrace.stop_trace()
+    assert key_file in trace and SECRET not in trace, trace
 
 
 def check_nothing_holds_the_secret(key_file, folder):
