@@ -1,70 +1,125 @@
 #!/usr/bin/env bash
 # Builds and runs the tests.
 #
-#   ./test.sh          the quick set: what every change must pass
-#   ./test.sh --full   also: the filters under the sanitizers and valgrind, clang with warnings as errors,
-#                      clang-tidy, fuzzing, coverage, debug beside release, the ParaView plugin, large scans in
-#                      every mode, and the packages in a clean root
+#   ./test.sh               the quick set: what every change must pass
+#   ./test.sh --full        everything below, which takes hours
+#   ./test.sh --full PART   of it, one part or several:
+#
+#     clang        clang, with warnings as errors
+#     tidy         clang-tidy over Filters/
+#     asan         the C++ tests under AddressSanitizer and UndefinedBehaviorSanitizer
+#     tsan         the tests with threads under ThreadSanitizer
+#     fuzz         every fuzz target for 20 seconds
+#     coverage     at least 90 % of the lines of Filters/
+#     paraview     the plugin, in ParaView
+#     release      the quick set, with large scans in every mode and a million triangles
+#     determinism  bits and decisions of a debug build beside those of the release
+#     valgrind     some of the tests under valgrind
+#     packages     the Debian packages in a clean root
 #
 # Tests on real scans look in SPECTRALWATERMARK_MESH_DIR and skip without it (see CONTRIBUTING.md).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 source ./dependencies.sh
 
-full=no
-case "${1:-}" in
-  "") ;;
-  --full) full=yes ;;
-  *)
-    echo "usage: ./test.sh [--full]" >&2
-    exit 2
-    ;;
-esac
-
-install_missing "${BUILD_PACKAGES[@]}" "${TEST_PACKAGES[@]}" "${DEMO_PACKAGES[@]}"
+PARTS=(clang tidy asan tsan fuzz coverage paraview release determinism valgrind packages)
 jobs=$(nproc)
 # Tests run side by side, each on several threads: idle ones should not spin.
 export OMP_WAIT_POLICY=passive
 
-if [ $full = yes ]; then
-  install_missing "${FULL_TEST_PACKAGES[@]}"
-  echo "== clang, warnings as errors"
+configure_clang() {
   cmake --preset clang -DSPECTRALWATERMARK_WARNINGS_AS_ERRORS=ON
+}
+
+run_clang() {
+  configure_clang
   cmake --build --preset clang
-  echo "== clang-tidy"
+}
+
+run_tidy() {
+  configure_clang
   git ls-files 'Filters/*.cxx' | xargs -P "$jobs" -n 1 clang-tidy --quiet -p build/clang
-  echo "== address and undefined behaviour sanitizers"
+}
+
+run_asan() {
   cmake --preset asan
   cmake --build --preset asan
   # VTK's singletons outlive main: leaks are looked for in the Core tests only. Whole scans would
   # take hours here, and add no code path.
   ASAN_OPTIONS=detect_leaks=0 ctest --preset asan -j "$jobs" --exclude-regex 'Scans/|RealMeshes'
-  echo "== thread sanitizer"
+}
+
+run_tsan() {
   cmake --preset tsan
   cmake --build --preset tsan --target CoreTests FilterTests
   ctest --preset tsan -j "$jobs" --tests-regex 'Concurrency|Threads'
-  echo "== fuzzing, 20 seconds each"
+}
+
+run_fuzz() {
   cmake --preset fuzz
   cmake --build --preset fuzz --target Fuzzers
   ctest --preset fuzz
-  echo "== coverage"
+}
+
+run_coverage() {
   Testing/Coverage/coverage.sh
-  echo "== ParaView plugin"
+}
+
+run_paraview() {
   Wrapping/ParaView/build.sh
   Wrapping/ParaView/test.sh
-  export SPECTRALWATERMARK_FULL_TESTS=1 # large scans in every mode, in the release build below
-fi
+}
 
-cmake --preset release -DSPECTRALWATERMARK_BUILD_TESTING=ON \
-  -DSPECTRALWATERMARK_WARNINGS_AS_ERRORS=ON
-cmake --build --preset release
-ctest --preset release -j "$jobs"
-if [ $full = yes ]; then
-  echo "== bits and decisions of debug and release"
+build_release() {
+  cmake --preset release -DSPECTRALWATERMARK_BUILD_TESTING=ON \
+    -DSPECTRALWATERMARK_WARNINGS_AS_ERRORS=ON
+  cmake --build --preset release
+}
+
+run_quick() {
+  build_release
+  ctest --preset release -j "$jobs"
+}
+
+run_release() {
+  SPECTRALWATERMARK_FULL_TESTS=1 run_quick
+}
+
+run_determinism() {
+  build_release
   Testing/Determinism/compare.sh
-  echo "== valgrind"
+}
+
+run_valgrind() {
+  build_release
   valgrind --quiet --error-exitcode=1 build/bin/FilterTests \
     --gtest_filter='Concurrency.AFilterThat*:MeshAttack.UnknownAttack*'
-  echo "== packages in a clean root"
+}
+
+run_packages() {
+  build_release
   Testing/Packages/test.sh
+}
+
+usage() {
+  echo "usage: ./test.sh [--full [PART...]], PART one of: ${PARTS[*]}" >&2
+  exit 2
+}
+
+parts=(quick)
+if [ $# -gt 0 ]; then
+  [ "$1" = --full ] || usage
+  shift
+  parts=("${PARTS[@]}")
+  [ $# -eq 0 ] || parts=("$@")
+  for part in "${parts[@]}"; do
+    [[ " ${PARTS[*]} " == *" $part "* ]] || usage
+  done
 fi
+
+install_missing "${BUILD_PACKAGES[@]}" "${TEST_PACKAGES[@]}" "${DEMO_PACKAGES[@]}"
+[ "${parts[*]}" = quick ] || install_missing "${FULL_TEST_PACKAGES[@]}"
+for part in "${parts[@]}"; do
+  [ "$part" = quick ] || echo "== $part"
+  "run_$part"
+done
