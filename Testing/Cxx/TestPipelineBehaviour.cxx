@@ -240,7 +240,7 @@ TEST(Pipeline, AbortInTheMiddleOfEmbedding)
 
 TEST(Pipeline, TwentyRunsGiveTheSameBytes)
 {
-  const auto mesh = PolyData(shapes::Bumpy(4));
+  const auto mesh = PolyData(shapes::Bumpy(3));
   const BytesByName first = BytesOfEveryFilter(mesh);
   for (int run = 1; run < 20; ++run)
   {
