@@ -11,7 +11,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from paraview import servermanager, smtrace
+from paraview import servermanager, smstate, smtrace
 from paraview.simple import *
 
 # The menu's filters, and the filters' classes.
@@ -154,7 +154,7 @@ def check_nothing_holds_the_secret(key_file, folder):
     state = folder / "state.pvsm"
     SaveState(str(state))
     script = folder / "state.py"
-    SaveState(str(script))
+    script.write_text(smstate.get_state())
     for file in (state, script):
         text = file.read_text()
         assert SECRET not in text, file
