@@ -12,22 +12,10 @@ import unittest
 from html.parser import HTMLParser
 from pathlib import Path
 
+from meshes import NOT_FINITE
+
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("SPECTRALWATERMARK_PROGRAM", str(ROOT / "build/bin/spectral-watermark"))
-NOT_FINITE = """ply
-format ascii 1.0
-element vertex 3
-property float x
-property float y
-property float z
-element face 1
-property list uchar int vertex_indices
-end_header
-nan 0 0
-1 0 0
-0 1 0
-3 0 1 2
-"""
 CHROMIUM = shutil.which("chromium")
 
 
