@@ -85,22 +85,20 @@ def read_mesh(path: str | os.PathLike) -> vtkPolyData:
             raise MeshFileError(f"{path}: this is a folder; name a file in it")
         if not path.exists():
             raise MeshFileError(f"{path}: no such file; look at its name and folder")
-    read = _READERS[_suffix(path, _READERS, "read")]
-    try:
-        size = path.stat().st_size
-        if size == 0:
-            raise MeshFileError("the file is empty; save or copy it again")
-        _require_memory(size * _MEMORY_OF_BYTE[path.suffix.lower()])
-        mesh = read(path)
-        if mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
-            raise MeshFileError("no polygons in it; is it a surface mesh?")
-        _check_cells(mesh)
-    except MeshFileError as error:
-        raise MeshFileError(f"{path}: {error}") from None
-    except MemoryError:
-        raise MeshFileError(f"{path}: not enough memory to read it; {_FREE_MEMORY}") from None
-    except OSError as error:
-        raise MeshFileError(f"{path}: cannot be read: {error.strerror}") from error
+        read = _READERS[_suffix(path, _READERS, "read")]
+        try:
+            size = path.stat().st_size
+            if size == 0:
+                raise MeshFileError("the file is empty; save or copy it again")
+            _require_memory(size * _MEMORY_OF_BYTE[path.suffix.lower()])
+            mesh = read(path)
+            if mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
+                raise MeshFileError("no polygons in it; is it a surface mesh?")
+            _check_cells(mesh)
+        except MeshFileError as error:
+            raise MeshFileError(f"{path}: {error}") from None
+        except MemoryError:
+            raise MeshFileError(f"{path}: not enough memory to read it; {_FREE_MEMORY}") from None
     return mesh
 
 
