@@ -151,14 +151,6 @@ TEST(MemoryLimit, AttacksOnTheMeshAsItIs)
 namespace
 {
 
-vtkSmartPointer<vtkPolyDataAlgorithm> AttackOn(vtkPolyData* mesh, int kind)
-{
-  auto attack = vtkSmartPointer<vtkMeshAttack>::New();
-  attack->SetInputData(mesh);
-  attack->SetAttack(kind);
-  return attack;
-}
-
 vtkSmartPointer<vtkPolyDataAlgorithm> DetectionIn(vtkPolyData* mesh)
 {
   auto detect = vtkSmartPointer<vtkSpectralWatermarkDetect>::New();

@@ -30,14 +30,6 @@ using namespace filtertesting;
 namespace
 {
 
-vtkSmartPointer<vtkMeshAttack> AttackOn(vtkPolyData* mesh, int kind)
-{
-  auto attack = vtkSmartPointer<vtkMeshAttack>::New();
-  attack->SetInputData(mesh);
-  attack->SetAttack(kind);
-  return attack;
-}
-
 double Distance(vtkPolyData* a, vtkPolyData* b, vtkIdType i)
 {
   double p[3];

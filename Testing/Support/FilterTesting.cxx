@@ -154,6 +154,14 @@ std::vector<vtkSmartPointer<vtkPolyDataAlgorithm>> EveryFilter()
   return filters;
 }
 
+vtkSmartPointer<vtkMeshAttack> AttackOn(vtkPolyData* mesh, int kind)
+{
+  auto attack = vtkSmartPointer<vtkMeshAttack>::New();
+  attack->SetInputData(mesh);
+  attack->SetAttack(kind);
+  return attack;
+}
+
 void SetEveryInput(vtkPolyDataAlgorithm* filter, vtkPolyData* mesh)
 {
   for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)

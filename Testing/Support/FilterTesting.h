@@ -12,6 +12,7 @@
 
 class vtkAlgorithm;
 class vtkDataArray;
+class vtkMeshAttack;
 class vtkObject;
 class vtkPolyData;
 class vtkPolyDataAlgorithm;
@@ -41,6 +42,9 @@ bool SamePoints(vtkPolyData* a, vtkPolyData* b);
 /// One of each filter, the watermarks in both schemes and an attack of every kind, ready to run on
 /// shapes::Bumpy(4).
 std::vector<vtkSmartPointer<vtkPolyDataAlgorithm>> EveryFilter();
+
+/// An attack of this kind (vtkMeshAttack::AttackType) on the mesh, its properties at their defaults.
+vtkSmartPointer<vtkMeshAttack> AttackOn(vtkPolyData* mesh, int kind);
 
 /// The mesh on every input port of the filter.
 void SetEveryInput(vtkPolyDataAlgorithm* filter, vtkPolyData* mesh);

@@ -128,24 +128,23 @@ def write_file(
     path = Path(path)
     target = Path(os.path.realpath(path))  # a link goes on pointing
     partial = target.with_name(f".{os.urandom(8).hex()}.partial{target.suffix.lower()}")
-    try:
-        partial.touch()  # says why, where VTK would only say that it cannot
-        write(partial)
-        if not replace:
-            os.link(partial, target)  # fails when there is one by now; a rename would not
-            return
-        if target.exists():
-            shutil.copymode(target, partial)
-        partial.replace(target)
-    except FileExistsError:
-        raise MeshFileError(f"{path}: is there already; not replaced") from None
-    except MeshFileError as error:
-        raise MeshFileError(f"{path}: not written: {error}") from None
-    except OSError as error:
-        raise MeshFileError(f"{path}: cannot be written: {error.strerror}") from error
-    finally:
-        with suppress(OSError):  # it is there no longer, or could not be made
-            partial.unlink()
+    with _system_errors(path, "written"):
+        try:
+            partial.touch()  # says why, where VTK would only say that it cannot
+            write(partial)
+            if not replace:
+                os.link(partial, target)  # fails when there is one by now; a rename would not
+                return
+            if target.exists():
+                shutil.copymode(target, partial)
+            partial.replace(target)
+        except FileExistsError:
+            raise MeshFileError(f"{path}: is there already; not replaced") from None
+        except MeshFileError as error:
+            raise MeshFileError(f"{path}: not written: {error}") from None
+        finally:
+            with suppress(OSError):  # it is there no longer, or could not be made
+                partial.unlink()
 
 
 def check_writable(path: str | os.PathLike) -> None:
@@ -165,7 +164,7 @@ def check_writable(path: str | os.PathLike) -> None:
 
 @contextmanager
 def _system_errors(path: Path, done: str) -> Iterator[None]:
-    """Of looking whether a file is there, say: its folder may not be entered, its name be too long."""
+    """What the system refuses, as a MeshFileError: to enter the folder, say, or a name so long."""
     try:
         yield
     except OSError as error:
