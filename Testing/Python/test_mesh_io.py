@@ -16,7 +16,7 @@ import numpy as np
 from spectralwatermark import vtkSpectralWatermarkDetect, vtkSpectralWatermarkEmbed
 from spectralwatermark.mesh_io import MeshFileError, read_mesh, stores_float, write_file, write_mesh
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
@@ -649,6 +649,24 @@ except MeshFileError as error:
         window = vtkOutputWindow.GetInstance()
         self.assert_refused(read_mesh, self.file("mesh.vtp", b"<VTKFile>"), "XML")
         self.assertIs(vtkOutputWindow.GetInstance(), window)
+
+    def test_vtk_logs_on_the_terminal_as_before_afterwards(self):
+        before = vtkLogger.GetCurrentVerbosityCutoff()
+        self.addCleanup(vtkLogger.SetStderrVerbosity, before)
+        for verbosity in (vtkLogger.VERBOSITY_OFF, vtkLogger.VERBOSITY_WARNING, vtkLogger.VERBOSITY_TRACE):
+            vtkLogger.SetStderrVerbosity(verbosity)
+            read_mesh(PEBBLE)
+            self.assertEqual(vtkLogger.GetCurrentVerbosityCutoff(), verbosity)
+
+    def test_the_log_file_of_all_details_does_not_bring_them_to_the_terminal(self):
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # says that a log file is begun
+        self.addCleanup(vtkLogger.SetStderrVerbosity, vtkLogger.VERBOSITY_INFO)
+        log = str(self.folder / "all.log")
+        vtkLogger.LogToFile(log, vtkLogger.TRUNCATE, vtkLogger.VERBOSITY_TRACE)
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_INFO)
+        read_mesh(PEBBLE)
+        vtkLogger.EndLogToFile(log)
+        self.assertEqual(vtkLogger.GetCurrentVerbosityCutoff(), vtkLogger.VERBOSITY_INFO)
 
 
 class DamageTest(InFolder):
