@@ -458,7 +458,8 @@ class FaultTest(InFolder):
         text = "spectral-watermark: the output cannot be written: No space left on device\n"
         shutil.copy("model.ply", "second.ply")
         for arguments in (("info", "model.ply"), ("info", "model.ply", "second.ply"),
-                          ("info", "model.ply", "second.ply", "--json")):
+                          ("info", "model.ply", "second.ply", "--json"), ("--help",), ("--version",),
+                          ("embed", "--help")):
             with open("/dev/full", "w") as full:
                 done = subprocess.run([sys.executable, PROGRAM, *arguments], stdin=subprocess.DEVNULL, stdout=full,
                                       stderr=subprocess.PIPE, text=True, check=False)

@@ -11,7 +11,7 @@ from difflib import get_close_matches
 from typing import NoReturn
 
 from .secret import VARIABLE
-from .terminal import PROGRAM, UserError
+from .terminal import PROGRAM, UserError, print_text
 
 DESCRIPTION = "Hides a mark in 3D models, and proves later from a copy alone whose it is."
 
@@ -113,6 +113,9 @@ class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         raise UserError(f"{message}; see {self.prog} --help")
 
+    def print_help(self, file=None) -> None:
+        print_text(self.format_help().rstrip())
+
 
 class _InOrder(argparse.Action):
     """Appends (name, value) to one list, in the order in which the options are typed."""
@@ -159,7 +162,7 @@ class _Version(argparse.Action):
     def __call__(self, parser, namespace, values, option_string=None):
         from spectralwatermark.version import VERSION
 
-        print(f"{PROGRAM} {VERSION}")
+        print_text(f"{PROGRAM} {VERSION}")
         parser.exit()
 
 

@@ -34,16 +34,17 @@ def say(request: dict, result: dict, as_json: bool) -> None:
     if as_json:
         import json
 
-        _print(json.dumps(result))
+        print_text(json.dumps(result))
     if "error" in result:
         say_error(result["error"])
     elif not as_json:
         from .words import lines_of
 
-        _print("\n".join(lines_of(request, result)))
+        print_text("\n".join(lines_of(request, result)))
 
 
-def _print(text: str) -> None:
+def print_text(text: str) -> None:
+    """On standard output, at once; raises UserError when it is not taken."""
     try:
         print(text, flush=True)
     except BrokenPipeError:
