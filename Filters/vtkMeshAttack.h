@@ -292,9 +292,9 @@ public:
   ///@{
   /**
    * Set/Get how many vertices the uniform Remeshing makes, about, in percent of those there are.
-   * Default 100, from 0.1 to 1000. They are gathered in a grid over the bounding box, whose cells
-   * all take memory: an error where there is not enough, and for a mesh that is very thin for its
-   * box.
+   * Default 100, from 0.1 to 1000. Triangles are split to half a cell of a grid over the bounding
+   * box, and gathered in its cells; both take memory: an error where there is not enough, and for a
+   * mesh that is very thin for its box, or of triangles thousands of times as long as wide.
    */
   vtkSetClampMacro(RemeshingPercent, double, 0.1, 1000.0);
   vtkGetMacro(RemeshingPercent, double);

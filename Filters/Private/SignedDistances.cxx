@@ -3,10 +3,11 @@
 
 #include "Private/PolyDataMesh.h"
 
+#include <vtkGenericCell.h>
 #include <vtkImageData.h>
-#include <vtkImplicitPolyDataDistance.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkStaticCellLocator.h>
 
 #include <algorithm>
 #include <array>
@@ -86,7 +87,8 @@ private:
   };
   Box Around(Index triangle, int steps) const;
 
-  void ComputeAround(Index triangle, vtkImplicitPolyDataDistance* distance);
+  double DistanceFrom(const Point& point);
+  void ComputeAround(Index triangle);
   int TurnsAbout(Index triangle, double y, double z) const;
   std::vector<std::vector<Crossing>> Crossings() const;
 
@@ -94,6 +96,8 @@ private:
   vtkNew<vtkImageData> Image;
   float* Values = nullptr;
   std::vector<bool> Known;
+  vtkNew<vtkStaticCellLocator> Locator;
+  vtkNew<vtkGenericCell> Cell; // where the locator works
   std::array<int, 3> Size = {};
   Point Origin;
   double Step = 1.0;
@@ -120,7 +124,18 @@ Grid::Box Grid::Around(Index triangle, int steps) const
   return box;
 }
 
-void Grid::ComputeAround(Index triangle, vtkImplicitPolyDataDistance* distance)
+// Far away where the locator finds nothing: it passes by triangles that it cannot compute with.
+double Grid::DistanceFrom(const Point& point)
+{
+  double closest[3];
+  vtkIdType triangle = -1;
+  int subId = 0;
+  double squared = 0.0;
+  this->Locator->FindClosestPoint(point.data(), closest, this->Cell, triangle, subId, squared);
+  return triangle < 0 ? Band * this->Step : std::sqrt(squared);
+}
+
+void Grid::ComputeAround(Index triangle)
 {
   const Box box = this->Around(triangle, Band - 1);
   const Point corner = this->Corner(triangle, 0);
@@ -133,13 +148,12 @@ void Grid::ComputeAround(Index triangle, vtkImplicitPolyDataDistance* distance)
       for (int x = box.First[0]; x <= box.Last[0]; ++x)
       {
         const std::size_t number = this->Number(x, y, z);
-        Point point = this->At(x, y, z);
+        const Point point = this->At(x, y, z);
         // Large triangles fill a small part of their boxes.
         if (!this->Known[number] && std::abs(normal.dot(point - corner)) <= 2.0 * Band * this->Step)
         {
           this->Known[number] = true;
-          this->Values[number] =
-            static_cast<float>(std::abs(distance->EvaluateFunction(point.data())));
+          this->Values[number] = static_cast<float>(this->DistanceFrom(point));
         }
       }
     }
@@ -149,12 +163,12 @@ void Grid::ComputeAround(Index triangle, vtkImplicitPolyDataDistance* distance)
 void Grid::ComputeDistances(const Progress& progress)
 {
   this->Known.assign(static_cast<std::size_t>(this->Image->GetNumberOfPoints()), false);
-  vtkNew<vtkImplicitPolyDataDistance> distance;
-  distance->SetInput(ToPolyData(this->Mesh, false));
+  this->Locator->SetDataSet(ToPolyData(this->Mesh, false));
+  this->Locator->BuildLocator();
   const Index triangles = this->Mesh.NumberOfTriangles();
   for (Index t = 0; t < triangles; ++t)
   {
-    this->ComputeAround(t, distance);
+    this->ComputeAround(t);
     if (t % 256 == 0)
     {
       progress.Report(static_cast<double>(t) / static_cast<double>(triangles));

@@ -11,6 +11,7 @@
 #include <vtkAdaptiveSubdivisionFilter.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
+#include <vtkIncrementalOctreePointLocator.h>
 #include <vtkLinearSubdivisionFilter.h>
 #include <vtkLoopSubdivisionFilter.h>
 #include <vtkNew.h>
@@ -30,14 +31,19 @@ namespace spectralwatermark
 namespace
 {
 
-// Of uniform remeshing at its peak, beside the grid: 1,900 to 4,200 were measured.
-constexpr double BytesOfVertex = 4000.0;
+// Of uniform remeshing at its peak, for each triangle that it splits the surface into: 190 to 470 were
+// measured.
+constexpr double BytesOfPiece = 400.0;
 
 // vtkQuadricClustering keeps 88 for each cell of its grid, also for the empty ones.
 constexpr double BytesOfCell = 100.0;
 
 // Around a sphere there are about a tenth of N^1.5 cells for N vertices; this is a thousand times that.
 constexpr double MostCells = 100.0;
+
+// An ordinary surface is split into some 20 triangles for each vertex, one of needles 1000 times as long
+// as wide into 900.
+constexpr double MostPieces = 1000.0;
 
 bool IsClosed(const TriangleMesh& mesh)
 {
@@ -85,16 +91,60 @@ vtkSmartPointer<vtkPolyData> Cluster(vtkPolyData* fine, const std::array<double,
   return cluster->GetOutput();
 }
 
-void RequireGrid(const std::array<double, 3>& grid, Index count)
+double LongestEdge(const TriangleMesh& mesh, Index triangle)
 {
+  double longest = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto a = mesh.Points.row(mesh.Triangles(triangle, k));
+    const auto b = mesh.Points.row(mesh.Triangles(triangle, (k + 1) % 3));
+    longest = std::max(longest, (b - a).norm());
+  }
+  return longest;
+}
+
+// About so many triangles come in addition when edges are halved until none is longer than this. Each
+// halving leaves four of a triangle; where one edge is short already, three, of which two are as thin.
+double NumberOfNewPieces(const TriangleMesh& mesh, double edge)
+{
+  double pieces = 0.0;
+  for (Index t = 0; t < mesh.NumberOfTriangles(); ++t)
+  {
+    const double ofArea = 4.0 * AreaVector(mesh, t).norm() / (edge * edge);
+    const double ofLength = std::pow(LongestEdge(mesh, t) / edge, std::log2(3.0));
+    pieces += std::max({ 1.0, ofArea, ofLength }) - 1.0;
+  }
+  return pieces;
+}
+
+// Throws also where the surface is so thin that the work would have no end.
+void RequireMemoryToRemesh(double pieces, const std::array<double, 3>& grid, Index count)
+{
+  const auto vertices = static_cast<double>(count);
   const double cells = grid[0] * grid[1] * grid[2];
-  if (cells > MostCells * std::pow(static_cast<double>(count), 1.5))
+  if (pieces > MostPieces * vertices || cells > MostCells * std::pow(vertices, 1.5))
   {
     throw InvalidInput("the surface is too thin for its extent to be remeshed uniformly: simplify "
                        "or subdivide it instead");
   }
-  RequireMemory(BytesOfVertex * static_cast<double>(count) + BytesOfCell * cells,
-    std::to_string(count) + " vertices", "lower RemeshingPercent");
+  RequireMemory(BytesOfPiece * pieces + BytesOfCell * cells, std::to_string(count) + " vertices",
+    "lower RemeshingPercent");
+}
+
+// No edge longer than this; what meets stays together.
+vtkSmartPointer<vtkPolyData> Split(vtkPolyData* coarse, double edge, vtkAlgorithm* filter)
+{
+  // The filter's own locator has cells for the points that come in, and would search long lists of those
+  // that it adds.
+  vtkNew<vtkIncrementalOctreePointLocator> locator;
+  locator->SetTolerance(0.0);
+  vtkNew<vtkAdaptiveSubdivisionFilter> split;
+  split->SetInputData(coarse);
+  split->SetLocator(locator);
+  split->SetMaximumEdgeLength(edge);
+  split->SetMaximumTriangleArea(4.0 * edge * edge);
+  UpdateInside(split, filter, 0.1, 0.7);
+  return split->GetOutput();
 }
 
 } // namespace
@@ -126,19 +176,16 @@ TriangleMesh ResampleUniformly(const TriangleMesh& mesh, Index count, vtkAlgorit
   // A surface passes through about so many cells per area of a cell's side.
   double step = std::sqrt(1.5 * VertexAreas(mesh).sum() / static_cast<double>(count));
   const auto coarse = ToPolyData(mesh, false);
-  RequireGrid(Grid(coarse, step), count); // before anything is split that finely
-  vtkNew<vtkAdaptiveSubdivisionFilter> split;
-  split->SetInputData(coarse);
-  split->SetMaximumEdgeLength(0.5 * step);
-  split->SetMaximumTriangleArea(step * step);
-  UpdateInside(split, filter, 0.1, 0.7);
+  const double edge = 0.5 * step;
+  RequireMemoryToRemesh(NumberOfNewPieces(mesh, edge), Grid(coarse, step), count);
+  const vtkSmartPointer<vtkPolyData> fine = Split(coarse, edge, filter);
   vtkSmartPointer<vtkPolyData> clustered;
   const Progress progress = ProgressOf(filter);
   for (int pass = 0; pass < 4; ++pass)
   {
     const std::array<double, 3> grid = Grid(coarse, step);
-    RequireGrid(grid, count);
-    clustered = Cluster(split->GetOutput(), grid);
+    RequireMemoryToRemesh(0.0, grid, count); // the pieces are there
+    clustered = Cluster(fine, grid);
     progress.Report(0.7 + 0.07 * (pass + 1));
     const auto points = static_cast<double>(std::max<vtkIdType>(1, clustered->GetNumberOfPoints()));
     const double ratio = points / static_cast<double>(count);

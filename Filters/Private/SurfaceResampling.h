@@ -28,7 +28,7 @@ TriangleMesh Subdivide(const TriangleMesh& mesh, Subdivision kind, int times, vt
 TriangleMesh ResampleUniformly(const TriangleMesh& mesh, Index count, vtkAlgorithm* filter);
 
 /// The zero level of the signed distance to the surface, on a grid with `resolution` steps along
-/// the longest side of the bounding box (vtkImplicitPolyDataDistance, vtkFlyingEdges3D). Throws
+/// the longest side of the bounding box (vtkStaticCellLocator, vtkFlyingEdges3D). Throws
 /// InvalidInput for a surface that is not closed.
 TriangleMesh ResampleByIsosurface(const TriangleMesh& mesh, int resolution, vtkAlgorithm* filter);
 

@@ -368,6 +368,24 @@ TEST(MeshAttack, RemeshingStaysOnTheSurface)
   EXPECT_NEAR(after->GetVolume(), before->GetVolume(), 0.005 * before->GetVolume());
 }
 
+// The edges that come in are split many times over, and neighbours at the same points.
+TEST(MeshAttack, RemeshingTakesNeedles)
+{
+  const auto square = PolyData(shapes::Rectangle(200, 1, 1.0, 1.0));
+  const auto attack = AttackOn(square, vtkMeshAttack::Remeshing);
+  attack->Update();
+  vtkPolyData* output = attack->GetOutput();
+  const auto points = static_cast<double>(square->GetNumberOfPoints());
+  EXPECT_NEAR(static_cast<double>(output->GetNumberOfPoints()), points, 0.1 * points);
+  vtkNew<vtkMassProperties> size;
+  size->SetInputData(output);
+  EXPECT_NEAR(size->GetSurfaceArea(), 1.0, 0.15); // the border shrinks by a part of a step
+  vtkNew<vtkPolyDataConnectivityFilter> parts;
+  parts->SetInputData(output);
+  parts->Update();
+  EXPECT_EQ(parts->GetNumberOfExtractedRegions(), 1);
+}
+
 // A box has triangles far larger than the grid's steps: its inside must be inside everywhere.
 TEST(MeshAttack, AnIsosurfaceOfLargeTrianglesIsTheirSolid)
 {
@@ -525,8 +543,12 @@ TEST(MeshAttack, UnknownAttackAndBadParametersAreErrors)
   shapes::TriangleMesh needle = shapes::Icosphere(3); // from corner to corner of its bounding box
   needle.Points *= 1e-4;
   needle.Points.colwise() += Eigen::VectorXd::LinSpaced(needle.NumberOfVertices(), 0.0, 1.0).eval();
-  ExpectError(AttackOn(PolyData(needle), vtkMeshAttack::Remeshing),
-    "too thin for its extent to be remeshed uniformly");
+  shapes::TriangleMesh ribbon = shapes::Rectangle(3, 3, 1.0, 1e-5); // along an axis
+  for (const shapes::TriangleMesh& thin : { needle, ribbon })
+  {
+    ExpectError(AttackOn(PolyData(thin), vtkMeshAttack::Remeshing),
+      "too thin for its extent to be remeshed uniformly");
+  }
   attack = AttackOn(mesh, vtkMeshAttack::Cropping);
   attack->SetCroppingPercent(99.0);
   ExpectError(attack, "no polygon is left");
