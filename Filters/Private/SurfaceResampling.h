@@ -24,7 +24,7 @@ TriangleMesh Subdivide(const TriangleMesh& mesh, Subdivision kind, int times, vt
 /// Vertices about equally far from each other, about `count` of them: triangles split until all
 /// are small, then vertices gathered in the cells of a grid, each where its quadric error is least
 /// (vtkAdaptiveSubdivisionFilter, vtkQuadricClustering). Throws InvalidInput when nothing is left, and
-/// where the grid would be too fine: all of its cells take memory.
+/// where the grid would be too fine or the triangles too many: all of them take memory.
 TriangleMesh ResampleUniformly(const TriangleMesh& mesh, Index count, vtkAlgorithm* filter);
 
 /// The zero level of the signed distance to the surface, on a grid with `resolution` steps along

@@ -243,7 +243,7 @@ def _vtk_messages() -> Iterator[vtkStringOutputWindow]:
     verbosity = vtkLogger.GetCurrentVerbosityCutoff()
     vtkOutputWindow.SetInstance(messages)
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-    if vtkLogger.GetCurrentVerbosityCutoff() == verbosity:  # a log file's, who lets more through
+    if vtkLogger.GetCurrentVerbosityCutoff() == verbosity:  # a log file's, which lets more through
         verbosity = min(verbosity, vtkLogger.VERBOSITY_INFO)  # the terminal's default
     try:
         yield messages
