@@ -14,10 +14,13 @@
 #include "Private/SlotTable.h"
 
 #include <vtkDoubleArray.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
+
+#include <utility>
 
 namespace sw = spectralwatermark;
 
@@ -46,6 +49,26 @@ const char* vtkSpectralWatermarkEmbed::GetMessage() const
 
 namespace
 {
+
+// What a detector is given.
+sw::Storage StorageIn(vtkPolyData* input, const sw::PolyDataMesh& mesh, int precision)
+{
+  return [input, &mesh, precision](const sw::TriangleMesh::PointMatrix& points)
+  {
+    vtkNew<vtkPolyData> output;
+    output->ShallowCopy(input);
+    sw::SetPoints(output, input, mesh, points, precision);
+    sw::PolyDataMesh read = sw::ToMesh(output);
+    sw::StoredMesh stored;
+    stored.Mesh = std::move(read.Mesh);
+    stored.Points = sw::PointsOf(output, mesh.PointOfVertex);
+    for (const vtkIdType point : mesh.PointOfVertex)
+    {
+      stored.VertexOf.push_back(read.VertexOfPoint[static_cast<std::size_t>(point)]);
+    }
+    return stored;
+  };
+}
 
 // What is the same whatever the scheme.
 void SetMarkedPoints(vtkPolyData* output, vtkPolyData* input, const sw::PolyDataMesh& mesh,
@@ -106,7 +129,7 @@ void vtkSpectralWatermarkEmbed::EmbedInSlots(vtkPolyData* input, vtkPolyData* ou
   options.RequiredBits = this->RequiredBits;
   options.MaximumIterations = this->MaximumNumberOfIterations;
   options.Threads = sw::ThreadsOfVtk();
-  options.RoundToFloat = sw::StoresFloat(input, this->OutputPointsPrecision);
+  options.Store = StorageIn(input, mesh, this->OutputPointsPrecision);
 
   const sw::Index needed = sw::ComponentsNeeded(options.Slots, bits);
   const sw::EmbeddingResult result = sw::EmbedMessage(mesh.Mesh, options,
@@ -137,7 +160,7 @@ void vtkSpectralWatermarkEmbed::EmbedInSolid(vtkPolyData* input, vtkPolyData* ou
   }
   options.MaximumDistortion = this->MaximumDistortion / 100.0;
   options.Threads = sw::ThreadsOfVtk();
-  options.RoundToFloat = sw::StoresFloat(input, this->OutputPointsPrecision);
+  options.Store = StorageIn(input, mesh, this->OutputPointsPrecision);
   const sw::Progress progress = sw::ProgressOf(this);
   const sw::SolidEmbeddingResult result = sw::EmbedInSolid(mesh.Mesh, *key, options,
     this->ReportCapacity ? progress.Part(0.0, 0.5) : progress);
@@ -159,7 +182,9 @@ void vtkSpectralWatermarkEmbed::EmbedInSolid(vtkPolyData* input, vtkPolyData* ou
     vtkWarningMacro("embedding did not succeed: the output reads "
       << this->ExtractedMessage << ", wanted " << options.Message << ", at a distortion of "
       << this->Distortion << " %. Raise MaximumDistortion, or embed fewer bits"
-      << (options.RoundToFloat ? ", or store double points: these are rounded to float" : ""));
+      << (sw::StoresFloat(input, this->OutputPointsPrecision)
+             ? ", or store double points: these are rounded to float"
+             : ""));
   }
 }
 

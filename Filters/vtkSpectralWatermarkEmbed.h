@@ -12,8 +12,8 @@
  * with the changed mesh's own basis until the message is read back blind (paper, 2.3). Only the
  * change of the spectrum is transformed back and added to the points, so that no detail is lost.
  *
- * In both, what is checked are the points exactly as they leave the filter, rounded to their output
- * precision.
+ * In both, what is checked is the mesh exactly as a detector will find it: with points rounded to
+ * their output precision, and polygons triangulated anew, as their corners moved.
  *
  * Output port 0: the marked mesh, with the input's cells and attributes, the new points, and
  * point data `GeometricDistortion` (double: each point's displacement as a fraction of the

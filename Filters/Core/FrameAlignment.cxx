@@ -56,7 +56,7 @@ VectorXd Fits(const MatrixXf& soft)
   VectorXd fits = VectorXd::Zero(soft.rows());
   for (Index b = 0; b < soft.cols() / GolayCodeBits; ++b)
   {
-    const MatrixXf words = WordOf(soft, b);
+    const auto words = WordOf(soft, b);
     for (Index row = 0; row < soft.rows(); ++row)
     {
       float fit = 0.0F;

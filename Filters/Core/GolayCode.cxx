@@ -128,7 +128,7 @@ private:
 // For all patterns of an octad whose last bit is 0, the sum of its soft bits with their signs.
 using OctadSums = std::array<float, 1U << (OctadBits - 1)>;
 
-OctadSums SumsOf(const Octad& places, const Eigen::RowVectorXf& soft)
+OctadSums SumsOf(const Octad& places, const SoftWord& soft)
 {
   OctadSums sums;
   sums[0] = 0.0F;
@@ -153,7 +153,7 @@ std::uint32_t GolayEncode(std::uint32_t data)
   return Encode(data % Words);
 }
 
-std::uint32_t GolayDecode(const Eigen::RowVectorXf& soft, float& fit)
+std::uint32_t GolayDecode(const SoftWord& soft, float& fit)
 {
   static const Trio trio;
   std::array<OctadSums, Trio::Parts> sums;

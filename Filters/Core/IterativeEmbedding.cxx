@@ -23,11 +23,6 @@ Progress PartOfSolve(const Progress& progress, Index solve)
   return progress.Part(1.0 - rest, 1.0 - (1.0 - ShareOfRest) * rest);
 }
 
-void RoundToFloat(TriangleMesh::PointMatrix& points)
-{
-  points = points.cast<float>().cast<double>();
-}
-
 } // namespace
 
 EmbeddingResult EmbedMessage(const TriangleMesh& original, const EmbeddingOptions& options,
@@ -47,32 +42,30 @@ EmbeddingResult EmbedMessage(const TriangleMesh& original, const EmbeddingOption
   RequireMemoryForHarmonics(original.NumberOfVertices(), harmonicsOptions.Count, 1);
 
   EmbeddingResult result;
-  TriangleMesh mesh = original;
+  const Storage store = options.Store ? options.Store : ExactStorage(original);
+  StoredMesh stored = ExactStorage(original)(original.Points);
   // Each marked mesh is near the one before: so is its basis.
   const auto computeBasis = [&](const ManifoldHarmonics* nearby)
   {
     const Progress part = PartOfSolve(progress, result.Eigensolves++);
     harmonicsOptions.Nearby = nearby;
-    return ComputeManifoldHarmonics(mesh, harmonicsOptions, part);
+    return ComputeManifoldHarmonics(stored.Mesh, harmonicsOptions, part);
   };
   ManifoldHarmonics basis = firstBasis ? *firstBasis : computeBasis(nullptr);
   CheckSlotsAboveKernel(options.Slots, basis.KernelDimension);
 
-  Spectrum spectrum = ForwardTransform(basis, mesh.Points);
+  Spectrum spectrum = ForwardTransform(basis, stored.Mesh.Points);
   std::vector<SlotReading> readings = ReadSlots(Magnitudes(spectrum), options.Slots, bits);
   result.History.push_back(readings);
 
   Index best = -1;
   for (Index iteration = 1; iteration <= options.MaximumIterations; ++iteration)
   {
-    mesh.Points +=
+    const TriangleMesh::PointMatrix change =
       InverseTransform(basis, SpectrumChange(spectrum, readings, options.Message, options.Slots));
-    if (options.RoundToFloat)
-    {
-      RoundToFloat(mesh.Points);
-    }
+    stored = store(stored.Points + stored.ToStored(change));
     basis = computeBasis(&basis);
-    spectrum = ForwardTransform(basis, mesh.Points);
+    spectrum = ForwardTransform(basis, stored.Mesh.Points);
     readings = ReadSlots(Magnitudes(spectrum), options.Slots, bits);
     result.History.push_back(readings);
 
@@ -81,7 +74,7 @@ EmbeddingResult EmbedMessage(const TriangleMesh& original, const EmbeddingOption
     if (right > best)
     {
       best = right;
-      result.Points = mesh.Points;
+      result.Points = stored.Points;
       result.ExtractedMessage = extracted;
       result.Iterations = iteration;
     }

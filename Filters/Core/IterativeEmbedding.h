@@ -4,6 +4,7 @@
 #define SpectralWatermark_Core_IterativeEmbedding_h
 
 #include "SlotWatermark.h"
+#include "StoredMesh.h"
 
 #include <functional>
 
@@ -16,14 +17,14 @@ struct EmbeddingOptions
   std::string Message;    ///< bits to embed, of 0 and 1
   Index RequiredBits = 0; ///< the extraction threshold: stop with that many right; 0: all
   Index MaximumIterations = 20;
-  double Tolerance = 1e-8;   ///< of the harmonics
-  int Threads = 1;           ///< at most; the result does not depend on it
-  bool RoundToFloat = false; ///< keep points that float32 can hold, as the output will be stored
+  double Tolerance = 1e-8; ///< of the harmonics
+  int Threads = 1;         ///< at most; the result does not depend on it
+  Storage Store;           ///< what bits are read from; by default ExactStorage()
 };
 
 struct EmbeddingResult
 {
-  TriangleMesh::PointMatrix Points;              ///< the marked mesh's
+  TriangleMesh::PointMatrix Points;              ///< the marked mesh's, as stored
   std::string ExtractedMessage;                  ///< what it reads, blind
   bool Converged = false;                        ///< at least RequiredBits bits are right
   Index Iterations = 0;                          ///< of the points returned

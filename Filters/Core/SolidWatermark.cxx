@@ -110,11 +110,6 @@ double RootMeanSquare(const TriangleMesh& mesh, const TriangleMesh::PointMatrix&
   return std::sqrt(areas.dot((moved - mesh.Points).rowwise().squaredNorm()) / areas.sum());
 }
 
-TriangleMesh::PointMatrix Stored(const TriangleMesh::PointMatrix& points, bool asFloat)
-{
-  return asFloat ? TriangleMesh::PointMatrix(points.cast<float>().cast<double>()) : points;
-}
-
 // Of an embedding at its peak: two responses, and what the second is made from.
 double MemoryOf(Index vertices, Index carriers)
 {
@@ -168,8 +163,20 @@ public:
   {
   }
 
-  SolidEmbeddingResult Run(const Plan& plan, const SolidEmbeddingOptions& options,
-    const Progress& progress) const;
+  // The points, in double, and the rounds.
+  SolidEmbeddingResult Run(const Plan& plan, const Progress& progress) const;
+
+  // Root mean square, parts of the diagonal.
+  double Distortion(const TriangleMesh::PointMatrix& points) const
+  {
+    return RootMeanSquare(this->Original, points) / this->Diagonal;
+  }
+
+  double Margin(const TriangleMesh& marked, const Plan& plan) const
+  {
+    const VectorXd misses = this->Spectrum(SolidView(marked)) - plan.Targets;
+    return std::max(0.0, 1.0 - 4.0 * misses.cwiseAbs().maxCoeff() / StepOfNumber(plan.Step));
+  }
 
 private:
   VectorXd Spectrum(const SolidView& view) const
@@ -183,8 +190,7 @@ private:
   double Diagonal;
 };
 
-SolidEmbeddingResult Embedding::Run(const Plan& plan, const SolidEmbeddingOptions& options,
-  const Progress& progress) const
+SolidEmbeddingResult Embedding::Run(const Plan& plan, const Progress& progress) const
 {
   SolidEmbeddingResult result;
   result.Step = StepOfNumber(plan.Step);
@@ -198,8 +204,7 @@ SolidEmbeddingResult Embedding::Run(const Plan& plan, const SolidEmbeddingOption
     const VectorXd changes =
       plan.Targets - (round == 0 ? this->Content.Values : this->Spectrum(view));
     const double error = changes.cwiseAbs().maxCoeff() / result.Step;
-    result.Rounds.push_back(
-      { RootMeanSquare(this->Original, mesh.Points) / this->Diagonal, error });
+    result.Rounds.push_back({ this->Distortion(mesh.Points), error });
     progress.Report(static_cast<double>(round + 1) / (MostRounds + 1));
     const bool diverges = !(error <= lastError);
     if (error < GoodError || diverges || round == MostRounds)
@@ -216,12 +221,7 @@ SolidEmbeddingResult Embedding::Run(const Plan& plan, const SolidEmbeddingOption
     const VectorXd heights = response.Displacements(changes);
     mesh.Points += view.Frame.DifferencesFromFrame(heights.asDiagonal() * VertexNormals(view.Mesh));
   }
-  result.Points = Stored(mesh.Points, options.RoundToFloat);
-  mesh.Points = result.Points;
-  result.Distortion = RootMeanSquare(this->Original, result.Points) / this->Diagonal;
-  const double worst =
-    (this->Spectrum(SolidView(mesh)) - plan.Targets).cwiseAbs().maxCoeff() / result.Step;
-  result.Margin = std::max(0.0, 1.0 - 4.0 * worst);
+  result.Points = std::move(mesh.Points);
   return result;
 }
 
@@ -273,7 +273,8 @@ private:
       const double scale = this->Seen.Frame.Scale / BoundingBoxDiagonal(this->Mesh.Points);
       return plan.Distortion * scale <= this->MaximumDistortion &&
         Embedding(this->Mesh, payload, this->Threads)
-          .Run(plan, SolidEmbeddingOptions(), progress.Part(0.3, 1.0))
+          .Run(plan, progress.Part(0.3, 1.0))
+          .Rounds.back()
           .Distortion <= SafePart * this->MaximumDistortion;
     }
     catch (const InvalidInput&)
@@ -321,14 +322,17 @@ SolidEmbeddingResult EmbedInSolid(const TriangleMesh& mesh, const SecretKey& key
   const Payload payload(view, key, bits, options.Threads);
   const std::string code = CodeOf(DataOf(options.Message, key, payload.Carrier));
   const Embedding embedding(oriented, payload, options.Threads);
+  const Storage store = options.Store ? options.Store : ExactStorage(mesh);
   progress.Report(0.1);
 
   const double scale = view.Frame.Scale / BoundingBoxDiagonal(oriented.Points);
   double budget = PlannedPart * options.MaximumDistortion / scale;
   SolidEmbeddingResult result;
+  StoredMesh stored;
+  Plan plan;
   for (int attempt = 0; attempt < MostAttempts; ++attempt)
   {
-    const Plan plan = LargestAffordable(payload, code, budget);
+    plan = LargestAffordable(payload, code, budget);
     if (plan.Step < 0)
     {
       const Capacity capacity(oriented, key, options.MaximumDistortion, options.Threads);
@@ -341,7 +345,9 @@ SolidEmbeddingResult EmbedInSolid(const TriangleMesh& mesh, const SecretKey& key
                   : "; not even one bit fits"));
     }
     const double begin = 0.1 + 0.45 * attempt / MostAttempts;
-    result = embedding.Run(plan, options, progress.Part(begin, begin + 0.45 / MostAttempts));
+    result = embedding.Run(plan, progress.Part(begin, begin + 0.45 / MostAttempts));
+    stored = store(result.Points);
+    result.Distortion = embedding.Distortion(stored.Points);
     if (result.Distortion <= options.MaximumDistortion)
     {
       break;
@@ -349,10 +355,10 @@ SolidEmbeddingResult EmbedInSolid(const TriangleMesh& mesh, const SecretKey& key
     // The response is not linear: by so much more than planned.
     budget *= std::min(0.95, options.MaximumDistortion / result.Distortion);
   }
-  TriangleMesh marked = mesh;
-  marked.Points = result.Points;
+  result.Points = stored.Points;
+  result.Margin = embedding.Margin(Oriented(stored.Mesh), plan);
   const SolidReading reading =
-    ReadSolid(marked, key, bits, options.Threads, progress.Part(0.55, 1.0));
+    ReadSolid(stored.Mesh, key, bits, options.Threads, progress.Part(0.55, 1.0));
   result.ExtractedMessage = reading.Message;
   result.Converged = reading.IsValid && reading.Message == options.Message &&
     result.Distortion <= options.MaximumDistortion;

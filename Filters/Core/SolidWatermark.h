@@ -18,7 +18,7 @@
 
 #include "Progress.h"
 #include "SolidCarriers.h"
-#include "TriangleMesh.h"
+#include "StoredMesh.h"
 
 #include <string>
 #include <vector>
@@ -32,7 +32,7 @@ struct SolidEmbeddingOptions
   double MaximumDistortion =
     0.0007; ///< root mean square of the displacement, parts of the diagonal
   int Threads = 1;
-  bool RoundToFloat = false; ///< what is verified are the points as stored
+  Storage Store; ///< what is verified, at the end; by default ExactStorage()
 };
 
 struct SolidEmbeddingRound
@@ -43,12 +43,12 @@ struct SolidEmbeddingRound
 
 struct SolidEmbeddingResult
 {
-  TriangleMesh::PointMatrix Points;
+  TriangleMesh::PointMatrix Points;        ///< as stored
   std::vector<SolidEmbeddingRound> Rounds; ///< the first is the mesh as it was
   double Distortion = 0.0;
   double Step = 0.0;
   double Margin = 0.0; ///< the least of all carriers: 1 in the middle of its cell, 0 at the border
-  std::string ExtractedMessage; ///< read blind from Points
+  std::string ExtractedMessage; ///< read blind from what was stored
   bool Converged = false;       ///< and it is the message, and its check holds
 };
 

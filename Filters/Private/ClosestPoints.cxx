@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/ClosestPoints.h"
 
+#include "Core/Errors.h"
 #include "Core/Parallel.h"
 #include "Private/PolyDataMesh.h"
 
@@ -25,27 +26,40 @@ constexpr Index PointsPerReport = 64 * PointsPerTask; // an abort is answered in
 SurfacePoint Closest(vtkStaticCellLocator* locator, vtkGenericCell* cell,
   const Eigen::RowVector3d& point)
 {
-  const double from[3] = { point[0], point[1], point[2] };
-  double closest[3];
-  vtkIdType triangle = 0;
-  int subId = 0;
-  double distance2 = 0.0;
-  locator->FindClosestPoint(from, closest, cell, triangle, subId, distance2);
+  const NearestPoint nearest = FindNearest(locator, cell, point);
   SurfacePoint found;
-  found.Triangle = triangle;
-  locator->GetDataSet()->GetCell(triangle, cell); // the search leaves the last one it tried
+  found.Triangle = nearest.Triangle;
+  if (nearest.Triangle < 0)
+  {
+    return found;
+  }
+  found.Distance = (nearest.Point - point).norm();
+  locator->GetDataSet()->GetCell(nearest.Triangle, cell); // the search leaves the last one it tried
   double inside[3];
   double parametric[3];
+  int subId = 0;
   double unused = 0.0;
-  if (cell->EvaluatePosition(closest, inside, subId, parametric, unused, found.Weights.data()) < 0)
+  if (cell->EvaluatePosition(nearest.Point.data(), inside, subId, parametric, unused,
+        found.Weights.data()) < 0)
   {
-    found.Weights.setConstant(1.0 / 3.0); // a triangle without area
+    found.Weights.setConstant(1.0 / 3.0);
   }
-  found.Distance = (Eigen::RowVector3d(closest[0], closest[1], closest[2]) - point).norm();
   return found;
 }
 
 } // namespace
+
+NearestPoint FindNearest(vtkStaticCellLocator* locator, vtkGenericCell* cell,
+  const Eigen::RowVector3d& from)
+{
+  NearestPoint nearest;
+  vtkIdType triangle = -1;
+  int subId = 0;
+  double squared = 0.0;
+  locator->FindClosestPoint(from.data(), nearest.Point.data(), cell, triangle, subId, squared);
+  nearest.Triangle = triangle;
+  return nearest;
+}
 
 ClosestPoints::ClosestPoints(const TriangleMesh& surface)
   : Surface(surface)
@@ -78,6 +92,12 @@ std::vector<SurfacePoint> ClosestPoints::To(const TriangleMesh::PointMatrix& poi
         }
       });
     progress.Report(static_cast<double>(end) / static_cast<double>(points.rows()));
+  }
+  const auto isMissing = [](const SurfacePoint& point) { return point.Triangle < 0; };
+  if (std::any_of(found.begin(), found.end(), isMissing))
+  {
+    throw InvalidInput("no triangle of the surface has an area, so there is nothing to measure the "
+                       "distance from: mend the mesh");
   }
   return found;
 }

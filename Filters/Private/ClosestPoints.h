@@ -11,11 +11,23 @@
 
 #include <vector>
 
+class vtkGenericCell;
 class vtkPolyData;
 class vtkStaticCellLocator;
 
 namespace spectralwatermark
 {
+
+/// What a locator finds.
+struct NearestPoint
+{
+  Index Triangle = -1; ///< -1: none. Triangles so thin that they are no plane to VTK are passed by
+  Eigen::RowVector3d Point;
+};
+
+/// `cell` is where the locator works.
+NearestPoint FindNearest(vtkStaticCellLocator* locator, vtkGenericCell* cell,
+  const Eigen::RowVector3d& from);
 
 /// A point of a surface: in a triangle, as a mean of its corners.
 struct SurfacePoint
@@ -35,7 +47,7 @@ public:
 
   const TriangleMesh& Mesh() const { return this->Surface; }
 
-  /// One for each row of `points`.
+  /// One for each row of `points`. Throws InvalidInput when the surface has only triangles without area.
   std::vector<SurfacePoint> To(const TriangleMesh::PointMatrix& points, int threads,
     const Progress& progress) const;
 

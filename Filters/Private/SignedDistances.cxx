@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/SignedDistances.h"
 
+#include "Private/ClosestPoints.h"
 #include "Private/PolyDataMesh.h"
 
 #include <vtkGenericCell.h>
@@ -124,15 +125,11 @@ Grid::Box Grid::Around(Index triangle, int steps) const
   return box;
 }
 
-// Far away where the locator finds nothing: it passes by triangles that it cannot compute with.
+// Far away where there is no triangle to measure from.
 double Grid::DistanceFrom(const Point& point)
 {
-  double closest[3];
-  vtkIdType triangle = -1;
-  int subId = 0;
-  double squared = 0.0;
-  this->Locator->FindClosestPoint(point.data(), closest, this->Cell, triangle, subId, squared);
-  return triangle < 0 ? Band * this->Step : std::sqrt(squared);
+  const NearestPoint nearest = FindNearest(this->Locator, this->Cell, point);
+  return nearest.Triangle < 0 ? Band * this->Step : (nearest.Point - point).norm();
 }
 
 void Grid::ComputeAround(Index triangle)

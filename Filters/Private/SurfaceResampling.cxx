@@ -117,18 +117,37 @@ double NumberOfNewPieces(const TriangleMesh& mesh, double edge)
   return pieces;
 }
 
-// Throws also where the surface is so thin that the work would have no end.
-void RequireMemoryToRemesh(double pieces, const std::array<double, 3>& grid, Index count)
+[[noreturn]] void RefuseAsTooThin()
 {
-  const auto vertices = static_cast<double>(count);
-  const double cells = grid[0] * grid[1] * grid[2];
-  if (pieces > MostPieces * vertices || cells > MostCells * std::pow(vertices, 1.5))
+  throw InvalidInput("the surface is too thin for its extent to be remeshed uniformly: simplify "
+                     "or subdivide it instead");
+}
+
+void RequireMemoryToRemesh(double bytes, Index count)
+{
+  RequireMemory(bytes, std::to_string(count) + " vertices", "lower RemeshingPercent");
+}
+
+// Of the pieces. Throws also where there would be no end of them.
+double MemoryOfSplitting(const TriangleMesh& mesh, double edge, Index count)
+{
+  const double pieces = NumberOfNewPieces(mesh, edge);
+  if (pieces > MostPieces * static_cast<double>(count))
   {
-    throw InvalidInput("the surface is too thin for its extent to be remeshed uniformly: simplify "
-                       "or subdivide it instead");
+    RefuseAsTooThin();
   }
-  RequireMemory(BytesOfPiece * pieces + BytesOfCell * cells, std::to_string(count) + " vertices",
-    "lower RemeshingPercent");
+  return BytesOfPiece * pieces;
+}
+
+// Of the grid. Throws also where there would be no end of its cells.
+double MemoryOfClustering(const std::array<double, 3>& grid, Index count)
+{
+  const double cells = grid[0] * grid[1] * grid[2];
+  if (cells > MostCells * std::pow(static_cast<double>(count), 1.5))
+  {
+    RefuseAsTooThin();
+  }
+  return BytesOfCell * cells;
 }
 
 // No edge longer than this; what meets stays together.
@@ -177,14 +196,15 @@ TriangleMesh ResampleUniformly(const TriangleMesh& mesh, Index count, vtkAlgorit
   double step = std::sqrt(1.5 * VertexAreas(mesh).sum() / static_cast<double>(count));
   const auto coarse = ToPolyData(mesh, false);
   const double edge = 0.5 * step;
-  RequireMemoryToRemesh(NumberOfNewPieces(mesh, edge), Grid(coarse, step), count);
+  RequireMemoryToRemesh(
+    MemoryOfSplitting(mesh, edge, count) + MemoryOfClustering(Grid(coarse, step), count), count);
   const vtkSmartPointer<vtkPolyData> fine = Split(coarse, edge, filter);
   vtkSmartPointer<vtkPolyData> clustered;
   const Progress progress = ProgressOf(filter);
   for (int pass = 0; pass < 4; ++pass)
   {
     const std::array<double, 3> grid = Grid(coarse, step);
-    RequireMemoryToRemesh(0.0, grid, count); // the pieces are there
+    RequireMemoryToRemesh(MemoryOfClustering(grid, count), count); // the pieces are there
     clustered = Cluster(fine, grid);
     progress.Report(0.7 + 0.07 * (pass + 1));
     const auto points = static_cast<double>(std::max<vtkIdType>(1, clustered->GetNumberOfPoints()));

@@ -31,6 +31,30 @@ std::string ReadBlind(const TriangleMesh& mesh, const SlotOptions& slots, Index 
   return MessageOf(ReadSlots(Magnitudes(ForwardTransform(harmonics, mesh.Points)), slots, bits));
 }
 
+// The mesh without its first vertex, whose triangles get another instead.
+StoredMesh WithFirstAt(Index other, const TriangleMesh& mesh, TriangleMesh::PointMatrix points)
+{
+  points.row(0) = points.row(other);
+  StoredMesh stored{ { points.bottomRows(points.rows() - 1), {} }, {}, points };
+  for (Index v = 0; v < points.rows(); ++v)
+  {
+    stored.VertexOf.push_back(v == 0 ? other - 1 : v - 1);
+  }
+  stored.Mesh.Triangles.resize(mesh.NumberOfTriangles(), 3);
+  Index kept = 0;
+  for (Index t = 0; t < mesh.NumberOfTriangles(); ++t)
+  {
+    const auto corner = [&](Index k)
+    { return stored.VertexOf[static_cast<std::size_t>(mesh.Triangles(t, k))]; };
+    if (corner(0) != corner(1) && corner(1) != corner(2) && corner(2) != corner(0))
+    {
+      stored.Mesh.Triangles.row(kept++) << corner(0), corner(1), corner(2);
+    }
+  }
+  stored.Mesh.Triangles.conservativeResize(kept, 3);
+  return stored;
+}
+
 } // namespace
 
 TEST(SlotWatermark, PaperSlotsAreComponents21To70)
@@ -190,12 +214,30 @@ TEST(IterativeEmbedding, FloatPointsAreWhatWasVerified)
 {
   const TriangleMesh mesh = shapes::Bumpy(3);
   EmbeddingOptions options = MessageOptions("10110");
-  options.RoundToFloat = true;
+  options.Store = [&mesh](const TriangleMesh::PointMatrix& points)
+  { return ExactStorage(mesh)(points.cast<float>().cast<double>()); };
   const EmbeddingResult result = EmbedMessage(mesh, options, std::nullopt);
   EXPECT_EQ((result.Points.cast<float>().cast<double>() - result.Points).norm(), 0.0);
   TriangleMesh marked = mesh;
   marked.Points = result.Points;
   EXPECT_EQ(ReadBlind(marked, options.Slots, 5), result.ExtractedMessage);
+}
+
+// Storage that a vertex gets lost in: the first comes together with its neighbour.
+TEST(IterativeEmbedding, BitsAreReadFromWhatIsStored)
+{
+  const TriangleMesh mesh = shapes::Bumpy(3);
+  const Index neighbour = mesh.Triangles(0, 0) == 0 ? mesh.Triangles(0, 1) : mesh.Triangles(0, 0);
+  EmbeddingOptions options = MessageOptions("10110");
+  options.Store = [&](const TriangleMesh::PointMatrix& points)
+  { return WithFirstAt(neighbour, mesh, points); };
+  const EmbeddingResult result = EmbedMessage(mesh, options, std::nullopt);
+  EXPECT_TRUE(result.Converged);
+  ASSERT_EQ(result.Points.rows(), mesh.NumberOfVertices());
+  EXPECT_EQ(result.Points.row(0), result.Points.row(neighbour));
+  const StoredMesh stored = WithFirstAt(neighbour, mesh, result.Points);
+  EXPECT_EQ(stored.Mesh.NumberOfVertices(), mesh.NumberOfVertices() - 1);
+  EXPECT_EQ(ReadBlind(stored.Mesh, options.Slots, 5), "10110");
 }
 
 TEST(IterativeEmbedding, GivenBasisSavesOneSolveAndChangesNothing)

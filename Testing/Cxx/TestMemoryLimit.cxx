@@ -168,6 +168,20 @@ vtkSmartPointer<vtkPolyDataAlgorithm> HarmonicsOfLargeSphere()
   return harmonics;
 }
 
+// 9.7 pieces for each of its triangles, and a grid of 94 cells along each side.
+constexpr double BytesToRemeshLargeSphere = 81920.0 * 9.7 * 400.0 + 94.0 * 94.0 * 94.0 * 100.0;
+
+// A grid of 257 nodes along each side, and the squares of its steps on the surface.
+constexpr double BytesOfIsosurface = 257.0 * 257.0 * 257.0 * 6.0 + 12.56 * 125.0 * 125.0 * 1000.0;
+
+vtkSmartPointer<vtkPolyDataAlgorithm> IsosurfaceOf(vtkPolyData* mesh)
+{
+  const auto attack = AttackOn(mesh, vtkMeshAttack::Remeshing);
+  attack->SetRemeshingMethodToIsosurface();
+  attack->SetIsosurfaceResolution(250);
+  return attack;
+}
+
 bool Succeeds(vtkPolyDataAlgorithm* filter, double free)
 {
   Listener listener(filter);
@@ -192,6 +206,8 @@ TEST(MemoryLimit, WhatIsAskedForSuffices)
     { AttackOn(sphere, vtkMeshAttack::LaplacianSmoothing), 225.0 * ofSphere },
     { AttackOn(torus, vtkMeshAttack::Simplification), 565.0 * ofTorus },
     { AttackOn(torus, vtkMeshAttack::Subdivision), 165.0 * 4.0 * ofTorus },
+    { AttackOn(LargeSphere(), vtkMeshAttack::Remeshing), BytesToRemeshLargeSphere },
+    { IsosurfaceOf(LargeSphere()), BytesOfIsosurface },
     { HarmonicsOfLargeSphere(), vertices * (3900.0 + 17.0 * 100.0) },
   };
   for (const auto& [filter, bytes] : asked)

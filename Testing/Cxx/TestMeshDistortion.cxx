@@ -293,6 +293,25 @@ TEST(MeshDistortion, DamagedMeshesAreRefusedThoughNothingIsMeasured)
   }
 }
 
+// Points in a row: VTK measures no distance from triangles without area.
+TEST(MeshDistortion, DistancesNeedASurfaceWithArea)
+{
+  shapes::TriangleMesh row = shapes::Rectangle(4, 4, 1.0, 1.0);
+  row.Points.rightCols(2).setZero();
+  for (const int port : { 0, 1 })
+  {
+    vtkNew<vtkMeshDistortion> distortion;
+    distortion->SetInputData(port, PolyData(row));
+    distortion->SetInputData(1 - port, PolyData(shapes::Icosphere(1)));
+    Listener listener(distortion);
+    distortion->Update();
+    EXPECT_NE(listener.Errors.find("no triangle of the surface has an area"), std::string::npos)
+      << listener.Errors;
+    EXPECT_EQ(distortion->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_EQ(distortion->GetHausdorff(), -1.0);
+  }
+}
+
 TEST(MeshDistortion, PrintsItsResults)
 {
   vtkNew<vtkMeshDistortion> distortion;
