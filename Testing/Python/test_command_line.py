@@ -17,7 +17,7 @@ import time
 import unittest
 from pathlib import Path
 
-from meshes import NOT_FINITE
+from meshes import NOT_FINITE, quadrilateral_ball
 
 ROOT = Path(__file__).resolve().parents[2]
 PEBBLE = ROOT / "Data" / "pebble.ply"
@@ -115,6 +115,15 @@ class StoryTest(InFolder):
         self.fail_with("cannot prove", "0 bits wrong", of=("detect", "marked.ply", *expected))
         self.assertIn("found, p-value 0.05",
                       self.succeed("detect", "marked.ply", *expected, "--false-positive-rate", 0.1))
+
+    def test_quadrilaterals_in_every_format(self):
+        Path("ball.obj").write_text(quadrilateral_ball(8))
+        self.assertIn("386 vertices", self.succeed("info", "ball.obj"))
+        for end in ("ply", "obj", "stl", "vtp"):
+            marked = f"marked.{end}"
+            self.succeed("embed", "ball.obj", marked, "--scheme", "paper", "--message", "10110010")
+            detected = self.succeed("detect", marked, "--scheme", "paper", "--bits", 8, "--json")
+            self.assertEqual(json.loads(detected)["read"], "10110010", end)
 
     def test_so_few_bits_that_nothing_would_be_found(self):
         """Whatever agrees; without a secret a bit of the paper's agrees by chance in up to 60 % of all cases."""
