@@ -35,7 +35,8 @@
  * with the figures as field data: `GeomDiff`, `CurvDiff`, `MRMS`, `Hausdorff`, `MSDM`, `MSDM2`.
  *
  * Errors (vtkErrorMacro, an error code, an empty output): no points or polygons in one of the
- * meshes, coordinates that are not finite; for what is measured between surfaces, one without area.
+ * meshes, coordinates that are not finite; for what is measured between surfaces, one whose
+ * triangles all have no area.
  *
  * @warning
  * In the paper's tables CurvDiff is 98 to 100 % of GeomDiff in every row, which eq. 15 as printed

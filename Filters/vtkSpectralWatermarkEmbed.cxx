@@ -62,9 +62,14 @@ sw::Storage StorageIn(vtkPolyData* input, const sw::PolyDataMesh& mesh, int prec
     sw::StoredMesh stored;
     stored.Mesh = std::move(read.Mesh);
     stored.Points = sw::PointsOf(output, mesh.PointOfVertex);
-    for (const vtkIdType point : mesh.PointOfVertex)
+    stored.VertexOf.assign(mesh.PointOfVertex.size(), -1);
+    for (std::size_t point = 0; point < mesh.VertexOfPoint.size(); ++point)
     {
-      stored.VertexOf.push_back(read.VertexOfPoint[static_cast<std::size_t>(point)]);
+      const sw::Index vertex = mesh.VertexOfPoint[point];
+      if (vertex >= 0 && read.VertexOfPoint[point] >= 0)
+      {
+        stored.VertexOf[static_cast<std::size_t>(vertex)] = read.VertexOfPoint[point];
+      }
     }
     return stored;
   };
@@ -181,7 +186,8 @@ void vtkSpectralWatermarkEmbed::EmbedInSolid(vtkPolyData* input, vtkPolyData* ou
   {
     vtkWarningMacro("embedding did not succeed: the output reads "
       << this->ExtractedMessage << ", wanted " << options.Message << ", at a distortion of "
-      << this->Distortion << " %. Raise MaximumDistortion, or embed fewer bits"
+      << this->Distortion << " % of " << this->MaximumDistortion
+      << " % at most. Raise MaximumDistortion, or embed fewer bits"
       << (sw::StoresFloat(input, this->OutputPointsPrecision)
              ? ", or store double points: these are rounded to float"
              : ""));

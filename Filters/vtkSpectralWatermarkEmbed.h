@@ -22,7 +22,7 @@
  *
  * Output port 1: a vtkTable with a row per iteration: `Iteration` (0: the input), `Distortion`
  * (percent of the diagonal), `LargestError` (of a carrier, in steps of its quantisation; over 0.25
- * reads another bit); for PaperSlots a row per iteration and slot: `Iteration`, `Slot` and
+ * reads another bit), of points that are not rounded yet, in the input's triangles; for PaperSlots a row per iteration and slot: `Iteration`, `Slot` and
  * `Component` (1-based), `Magnitude`, `Average`, `Deviation` (length^2), `BitWanted`, `BitRead`.
  *
  * Its field data has what the getters of the same names tell: `Converged`, `Distortion`, `Margin`,

@@ -63,8 +63,24 @@ EmbeddingResult EmbedMessage(const TriangleMesh& original, const EmbeddingOption
   {
     const TriangleMesh::PointMatrix change =
       InverseTransform(basis, SpectrumChange(spectrum, readings, options.Message, options.Slots));
-    stored = store(stored.Points + stored.ToStored(change));
-    basis = computeBasis(&basis);
+    try
+    {
+      ReadStored(
+        [&]()
+        {
+          stored = store(stored.Points + stored.ToStored(change));
+          basis = computeBasis(&basis);
+          CheckSlotsAboveKernel(options.Slots, basis.KernelDimension);
+        });
+    }
+    catch (const InvalidInput&)
+    {
+      if (best < 0)
+      {
+        throw;
+      }
+      break; // with what there is
+    }
     spectrum = ForwardTransform(basis, stored.Mesh.Points);
     readings = ReadSlots(Magnitudes(spectrum), options.Slots, bits);
     result.History.push_back(readings);

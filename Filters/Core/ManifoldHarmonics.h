@@ -29,8 +29,8 @@ struct HarmonicsOptions
   double Tolerance = 1e-8;              ///< relative residual
   int Threads = 1;                      ///< at most; the result does not depend on it
   SolverChoice Solver = SolverChoice::Automatic;
-  /// Of a mesh with the same triangles and nearly the same points: makes it faster. The result
-  /// differs by no more than the tolerance.
+  /// Of a mesh with nearly the same triangles and points: makes it faster. The result differs by no
+  /// more than the tolerance.
   const ManifoldHarmonics* Nearby = nullptr;
   bool AskForMemory = true; ///< false: the caller did, with RequireMemoryForHarmonics()
 };

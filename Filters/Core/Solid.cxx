@@ -29,7 +29,7 @@ using Corners = std::array<RowVector3d, 3>;
 // Sums over triangles are made in so many parts, whatever the number of threads.
 constexpr Index Parts = 64;
 
-// Phases at a triangle's corners may differ from their mean by this; larger triangles are split.
+// Phases at a triangle's corners may differ from their mean by this where a series is taken.
 constexpr double LargestPhase = 1.0;
 
 // A volume under this share of area^1.5 is that of rounding. A sphere's is 0.094.
@@ -119,20 +119,38 @@ Eigen::Array3d ThirdMoments(const TriangleMesh& mesh)
   return moments;
 }
 
-// The mean of exp(i k . x) over a triangle, halved: the second divided difference of exp at the
-// corners' phases. With phases about their mean m, exp(i m) times the series of complete homogeneous
-// polynomials; the term left out is under 1e-6 of the whole.
+// The mean of exp(i x) from a to b.
+std::complex<double> MeanBetween(double a, double b)
+{
+  constexpr double nothing = 1e-4; // the series' next term is under 1e-18
+  const double half = 0.5 * (b - a);
+  const double sinc = half < nothing ? 1.0 - half * half / 6.0 : std::sin(half) / half;
+  return sinc * std::polar(1.0, 0.5 * (a + b));
+}
+
+// The same over a triangle, halved: the second divided difference of -exp(i x) at its corners' phases
+// (Hermite and Genocchi), which are not all close to each other.
+std::complex<double> HalfMeanOfFarPhases(std::array<double, 3> phase)
+{
+  std::sort(phase.begin(), phase.end());
+  const std::complex<double> change =
+    MeanBetween(phase[1], phase[2]) - MeanBetween(phase[0], phase[1]);
+  return std::complex<double>(0.0, -1.0) * change / (phase[2] - phase[0]);
+}
+
+// The mean of exp(i k . x) over a triangle, halved. With phases about their mean m, exp(i m) times the
+// series of complete homogeneous polynomials; the term left out is under 1e-6 of the whole.
 std::complex<double> HalfMean(const RowVector3d& k, const Corners& c)
 {
-  std::array<double, 3> phase = { k.dot(c[0]), k.dot(c[1]), k.dot(c[2]) };
-  const double mean = (phase[0] + phase[1] + phase[2]) / 3.0;
+  const std::array<double, 3> phases = { k.dot(c[0]), k.dot(c[1]), k.dot(c[2]) };
+  const double mean = (phases[0] + phases[1] + phases[2]) / 3.0;
   double second = 0.0;
   double third = 0.0;
   double fourth = 0.0;
   double largest = 0.0;
-  for (double& p : phase)
+  for (const double phase : phases)
   {
-    p -= mean;
+    const double p = phase - mean;
     second += p * p;
     third += p * p * p;
     fourth += p * p * p * p;
@@ -140,12 +158,7 @@ std::complex<double> HalfMean(const RowVector3d& k, const Corners& c)
   }
   if (largest > LargestPhase)
   {
-    const RowVector3d ab = 0.5 * (c[0] + c[1]);
-    const RowVector3d bc = 0.5 * (c[1] + c[2]);
-    const RowVector3d ca = 0.5 * (c[2] + c[0]);
-    return 0.25 *
-      (HalfMean(k, { c[0], ab, ca }) + HalfMean(k, { ab, c[1], bc }) +
-        HalfMean(k, { ca, bc, c[2] }) + HalfMean(k, { ab, bc, ca }));
+    return HalfMeanOfFarPhases(phases);
   }
   const std::complex<double> series(
     0.5 - second / 48.0 + (second * second / 8.0 + fourth / 4.0) / 720.0, -third / 360.0);
@@ -217,9 +230,7 @@ std::optional<SolidFrame> FrameIfAny(const TriangleMesh& oriented)
   const Moments moments = MomentsOf(mesh);
   if (!(moments.Volume > SmallestSolidity * std::pow(VertexAreas(mesh).sum(), 1.5)))
   {
-    throw InvalidInput(
-      "the surface encloses no volume, which the robust scheme needs: close it, or "
-      "use the scheme PaperSlots");
+    return std::nullopt;
   }
   const RowVector3d centroid = moments.First / moments.Volume;
   const Eigen::SelfAdjointEigenSolver<Matrix3d> principal(

@@ -38,7 +38,7 @@ struct SolidFrame
 /// Throws InvalidInput for a surface that encloses no volume, or whose moments are those of no solid.
 SolidFrame FrameOf(const TriangleMesh& oriented);
 
-/// The same, or nothing where FrameOf() throws.
+/// The same, or nothing for such a surface.
 std::optional<SolidFrame> FrameIfAny(const TriangleMesh& oriented);
 
 /// The frame turned by half a turn about one of its axes: 0 about none, 1 to 3. What remains open

@@ -163,7 +163,7 @@ public:
   {
   }
 
-  // The points, in double, and the rounds.
+  // The points, not yet stored, the step and the rounds.
   SolidEmbeddingResult Run(const Plan& plan, const Progress& progress) const;
 
   // Root mean square, parts of the diagonal.
@@ -346,7 +346,7 @@ SolidEmbeddingResult EmbedInSolid(const TriangleMesh& mesh, const SecretKey& key
     }
     const double begin = 0.1 + 0.45 * attempt / MostAttempts;
     result = embedding.Run(plan, progress.Part(begin, begin + 0.45 / MostAttempts));
-    stored = store(result.Points);
+    stored = ReadStored([&]() { return store(result.Points); });
     result.Distortion = embedding.Distortion(stored.Points);
     if (result.Distortion <= options.MaximumDistortion)
     {
@@ -356,9 +356,12 @@ SolidEmbeddingResult EmbedInSolid(const TriangleMesh& mesh, const SecretKey& key
     budget *= std::min(0.95, options.MaximumDistortion / result.Distortion);
   }
   result.Points = stored.Points;
-  result.Margin = embedding.Margin(Oriented(stored.Mesh), plan);
-  const SolidReading reading =
-    ReadSolid(stored.Mesh, key, bits, options.Threads, progress.Part(0.55, 1.0));
+  const SolidReading reading = ReadStored(
+    [&]()
+    {
+      result.Margin = embedding.Margin(Oriented(stored.Mesh), plan);
+      return ReadSolid(stored.Mesh, key, bits, options.Threads, progress.Part(0.55, 1.0));
+    });
   result.ExtractedMessage = reading.Message;
   result.Converged = reading.IsValid && reading.Message == options.Message &&
     result.Distortion <= options.MaximumDistortion;

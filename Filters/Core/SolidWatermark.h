@@ -38,7 +38,7 @@ struct SolidEmbeddingOptions
 struct SolidEmbeddingRound
 {
   double Distortion = 0.0;   ///< as above, so far
-  double LargestError = 0.0; ///< of a carrier, in steps
+  double LargestError = 0.0; ///< of a carrier, in steps, not yet stored
 };
 
 struct SolidEmbeddingResult

@@ -2,9 +2,11 @@
 #ifndef SpectralWatermark_Core_StoredMesh_h
 #define SpectralWatermark_Core_StoredMesh_h
 
+#include "Errors.h"
 #include "TriangleMesh.h"
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace spectralwatermark
@@ -12,7 +14,7 @@ namespace spectralwatermark
 
 /// What a reader finds once a mesh was stored with other points: these may be rounded, polygons are
 /// triangulated by where their corners are by then, and vertices may have come together, or be used by no
-/// triangle any more.
+/// triangle any more. Where polygons could not be triangulated before, vertices may come in.
 struct StoredMesh
 {
   TriangleMesh Mesh;
@@ -26,8 +28,24 @@ struct StoredMesh
 /// Stores a mesh with these points, a row for each of its vertices, and reads it again.
 using Storage = std::function<StoredMesh(const TriangleMesh::PointMatrix& points)>;
 
-/// Keeps all of the mesh but its points, which it does not round.
+/// Keeps all of the mesh, which must outlive it, but its points, and does not round these.
 Storage ExactStorage(const TriangleMesh& mesh);
+
+/// Returns read(), what is read from a stored mesh. An InvalidInput by then says that storing is to blame.
+template <typename Function>
+auto ReadStored(const Function& read)
+{
+  try
+  {
+    return read();
+  }
+  catch (const InvalidInput& refusal)
+  {
+    throw InvalidInput(
+      std::string("once marked and rounded as its points are stored, the mesh cannot be read: ") +
+      refusal.what() + ". Store double points, or move the model to the origin");
+  }
+}
 
 } // namespace spectralwatermark
 

@@ -39,11 +39,8 @@ SurfacePoint Closest(vtkStaticCellLocator* locator, vtkGenericCell* cell,
   double parametric[3];
   int subId = 0;
   double unused = 0.0;
-  if (cell->EvaluatePosition(nearest.Point.data(), inside, subId, parametric, unused,
-        found.Weights.data()) < 0)
-  {
-    found.Weights.setConstant(1.0 / 3.0);
-  }
+  cell->EvaluatePosition(nearest.Point.data(), inside, subId, parametric, unused,
+    found.Weights.data());
   return found;
 }
 

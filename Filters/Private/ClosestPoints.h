@@ -21,8 +21,8 @@ namespace spectralwatermark
 /// What a locator finds.
 struct NearestPoint
 {
-  Index Triangle = -1; ///< -1: none. Triangles so thin that they are no plane to VTK are passed by
-  Eigen::RowVector3d Point;
+  Index Triangle = -1; ///< -1: none has an area
+  Eigen::RowVector3d Point = Eigen::RowVector3d::Zero();
 };
 
 /// `cell` is where the locator works.

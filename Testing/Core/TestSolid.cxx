@@ -95,6 +95,25 @@ TEST(Solid, TheTransformOfABoxIsAProductOfSincs)
   EXPECT_EQ(spectrum, SolidSpectrum(box, waves, 1));
 }
 
+// Triangles thousands of waves long take no longer than others.
+TEST(Solid, TheTransformOfANeedleIsKnownToo)
+{
+  const double length = 1e5;
+  const TriangleMesh needle = Box(length, 1e-3, 2e-3);
+  Eigen::MatrixXd waves = SomeWaves(20, 5.0);
+  waves.row(0) << 0.0, 5.0, 0.0;
+  waves.row(1) << 1e-4, 3.0, 4.0;
+  const Eigen::VectorXd spectrum = SolidSpectrum(needle, waves, 1);
+  const double volume = length * 1e-3 * 2e-3;
+  for (Index w = 0; w < waves.rows(); ++w)
+  {
+    const double expected = volume * Sinc(0.5 * length * waves(w, 0)) * Sinc(0.5e-3 * waves(w, 1)) *
+      Sinc(1e-3 * waves(w, 2));
+    EXPECT_NEAR(spectrum[w], expected, 1e-9 * volume);
+    EXPECT_NEAR(spectrum[waves.rows() + w], 0.0, 1e-9 * volume);
+  }
+}
+
 TEST(Solid, TheTransformOfASphereIsKnown)
 {
   const TriangleMesh sphere = shapes::Icosphere(5);

@@ -31,28 +31,26 @@ std::string ReadBlind(const TriangleMesh& mesh, const SlotOptions& slots, Index 
   return MessageOf(ReadSlots(Magnitudes(ForwardTransform(harmonics, mesh.Points)), slots, bits));
 }
 
-// The mesh without its first vertex, whose triangles get another instead.
-StoredMesh WithFirstAt(Index other, const TriangleMesh& mesh, TriangleMesh::PointMatrix points)
+// Stores squares of two triangles each, (a, b, c) and (a, c, d), with the shorter diagonal.
+Storage ShorterDiagonals(const TriangleMesh& mesh)
 {
-  points.row(0) = points.row(other);
-  StoredMesh stored{ { points.bottomRows(points.rows() - 1), {} }, {}, points };
-  for (Index v = 0; v < points.rows(); ++v)
+  return [&mesh](const TriangleMesh::PointMatrix& points)
   {
-    stored.VertexOf.push_back(v == 0 ? other - 1 : v - 1);
-  }
-  stored.Mesh.Triangles.resize(mesh.NumberOfTriangles(), 3);
-  Index kept = 0;
-  for (Index t = 0; t < mesh.NumberOfTriangles(); ++t)
-  {
-    const auto corner = [&](Index k)
-    { return stored.VertexOf[static_cast<std::size_t>(mesh.Triangles(t, k))]; };
-    if (corner(0) != corner(1) && corner(1) != corner(2) && corner(2) != corner(0))
+    StoredMesh stored = ExactStorage(mesh)(points);
+    for (Index t = 0; t < mesh.NumberOfTriangles(); t += 2)
     {
-      stored.Mesh.Triangles.row(kept++) << corner(0), corner(1), corner(2);
+      const Index a = mesh.Triangles(t, 0);
+      const Index b = mesh.Triangles(t, 1);
+      const Index c = mesh.Triangles(t, 2);
+      const Index d = mesh.Triangles(t + 1, 2);
+      if ((points.row(b) - points.row(d)).norm() < (points.row(a) - points.row(c)).norm())
+      {
+        stored.Mesh.Triangles.row(t) << a, b, d;
+        stored.Mesh.Triangles.row(t + 1) << b, c, d;
+      }
     }
-  }
-  stored.Mesh.Triangles.conservativeResize(kept, 3);
-  return stored;
+    return stored;
+  };
 }
 
 } // namespace
@@ -223,21 +221,58 @@ TEST(IterativeEmbedding, FloatPointsAreWhatWasVerified)
   EXPECT_EQ(ReadBlind(marked, options.Slots, 5), result.ExtractedMessage);
 }
 
-// Storage that a vertex gets lost in: the first comes together with its neighbour.
+// Some diagonals change with the mark, and with them what some messages read.
 TEST(IterativeEmbedding, BitsAreReadFromWhatIsStored)
 {
+  const TriangleMesh squares = shapes::SquaresOnABall(6);
+  const Storage store = ShorterDiagonals(squares);
+  const TriangleMesh mesh = store(squares.Points).Mesh;
+  int misread = 0;
+  for (const char* message : { "1", "1011", "0110", "01101", "10011", "10110010" })
+  {
+    EmbeddingOptions options = MessageOptions(message);
+    const auto bits = static_cast<Index>(options.Message.size());
+    options.Store = store;
+    const EmbeddingResult result = EmbedMessage(mesh, options, std::nullopt);
+    EXPECT_TRUE(result.Converged) << message;
+    EXPECT_EQ(ReadBlind(store(result.Points).Mesh, options.Slots, bits), message);
+    misread += ReadBlind({ result.Points, mesh.Triangles }, options.Slots, bits) != message ? 1 : 0;
+  }
+  EXPECT_GT(misread, 0);
+}
+
+TEST(IterativeEmbedding, VerticesMayComeTogetherOrGetLost)
+{
+  const StoredMesh stored{ {}, { 1, -1, 0, 1 }, {} };
+  TriangleMesh::PointMatrix rows(2, 3);
+  rows << 1.0, 2.0, 3.0, 4.0, 5.0, 6.0;
+  TriangleMesh::PointMatrix expected(4, 3);
+  expected << 4.0, 5.0, 6.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0;
+  EXPECT_EQ(stored.ToStored(rows), expected);
+}
+
+// A mesh that cannot be read any more ends the search, with the best that there was.
+TEST(IterativeEmbedding, AMeshThatIsRefusedOnceStored)
+{
   const TriangleMesh mesh = shapes::Bumpy(3);
-  const Index neighbour = mesh.Triangles(0, 0) == 0 ? mesh.Triangles(0, 1) : mesh.Triangles(0, 0);
-  EmbeddingOptions options = MessageOptions("10110");
+  EmbeddingOptions options = MessageOptions("1111111");
+  options.Slots.TurbulenceFactor = 0.0; // never read back
+  int left = 2;
   options.Store = [&](const TriangleMesh::PointMatrix& points)
-  { return WithFirstAt(neighbour, mesh, points); };
+  {
+    if (left-- == 0)
+    {
+      throw InvalidInput("there is nothing left");
+    }
+    return ExactStorage(mesh)(points);
+  };
   const EmbeddingResult result = EmbedMessage(mesh, options, std::nullopt);
-  EXPECT_TRUE(result.Converged);
-  ASSERT_EQ(result.Points.rows(), mesh.NumberOfVertices());
-  EXPECT_EQ(result.Points.row(0), result.Points.row(neighbour));
-  const StoredMesh stored = WithFirstAt(neighbour, mesh, result.Points);
-  EXPECT_EQ(stored.Mesh.NumberOfVertices(), mesh.NumberOfVertices() - 1);
-  EXPECT_EQ(ReadBlind(stored.Mesh, options.Slots, 5), "10110");
+  EXPECT_FALSE(result.Converged);
+  EXPECT_EQ(result.History.size(), 3u);
+  EXPECT_EQ(ReadBlind({ result.Points, mesh.Triangles }, options.Slots, 7),
+    result.ExtractedMessage);
+  left = 0;
+  ExpectRefusal([&]() { EmbedMessage(mesh, options, std::nullopt); }, "there is nothing left");
 }
 
 TEST(IterativeEmbedding, GivenBasisSavesOneSolveAndChangesNothing)

@@ -298,6 +298,7 @@ TEST(MeshDistortion, DistancesNeedASurfaceWithArea)
 {
   shapes::TriangleMesh row = shapes::Rectangle(4, 4, 1.0, 1.0);
   row.Points.rightCols(2).setZero();
+  row.Points.col(0).setLinSpaced(0.0, 1.0);
   for (const int port : { 0, 1 })
   {
     vtkNew<vtkMeshDistortion> distortion;

@@ -194,6 +194,19 @@ TriangleMesh Cube(Index steps)
   return Assemble(points, triangles);
 }
 
+TriangleMesh SquaresOnABall(Index steps)
+{
+  TriangleMesh ball = Cube(steps);
+  for (Index v = 0; v < ball.NumberOfVertices(); ++v)
+  {
+    const Eigen::RowVector3d fromCentre = ball.Points.row(v).array() - 0.5;
+    const Eigen::RowVector3d p = fromCentre.normalized();
+    const double height = 1.0 + 0.2 * p[0] * p[1] + 0.15 * std::pow(p[2], 3) + 0.1 * p[0];
+    ball.Points.row(v) << height * p[0], 0.8 * height * p[1], 0.6 * height * p[2];
+  }
+  return ball;
+}
+
 TriangleMesh Bumpy(int level)
 {
   TriangleMesh mesh = Icosphere(level);

@@ -25,6 +25,9 @@ TriangleMesh Torus(Index around, Index across);
 /// The unit cube, with so many squares of two triangles along each edge.
 TriangleMesh Cube(Index steps);
 
+/// A ball without symmetry: the cube's squares, none of which are flat any more.
+TriangleMesh SquaresOnABall(Index steps);
+
 /// A closed surface without symmetry: a sphere with bumps of several sizes.
 TriangleMesh Bumpy(int level);
 
