@@ -23,6 +23,14 @@ namespace
 constexpr Index PointsPerTask = 512;
 constexpr Index PointsPerReport = 64 * PointsPerTask; // an abort is answered in between
 
+// Of a triangle that hardly has an area, VTK's are anything.
+Eigen::RowVector3d MendedWeights(const Eigen::RowVector3d& weights)
+{
+  const Eigen::RowVector3d inside = weights.cwiseMax(0.0).cwiseMin(1.0);
+  const double sum = inside.sum();
+  return sum > 0.0 ? Eigen::RowVector3d(inside / sum) : Eigen::RowVector3d::Constant(1.0 / 3.0);
+}
+
 SurfacePoint Closest(vtkStaticCellLocator* locator, vtkGenericCell* cell,
   const Eigen::RowVector3d& point)
 {
@@ -41,6 +49,7 @@ SurfacePoint Closest(vtkStaticCellLocator* locator, vtkGenericCell* cell,
   double unused = 0.0;
   cell->EvaluatePosition(nearest.Point.data(), inside, subId, parametric, unused,
     found.Weights.data());
+  found.Weights = MendedWeights(found.Weights);
   return found;
 }
 

@@ -313,6 +313,25 @@ TEST(MeshDistortion, DistancesNeedASurfaceWithArea)
   }
 }
 
+// Points in a row that is not along an axis: by rounding, triangles do have a little area.
+TEST(MeshDistortion, PerceptualDistanceOfTrianglesWithHardlyAnAreaIsOne)
+{
+  shapes::TriangleMesh row = shapes::Rectangle(4, 4, 1.0, 1.0);
+  row.Points.col(0).setLinSpaced(0.0, 1.0);
+  row.Points.col(1) = (0.3 * row.Points.col(0)).array() + 1.0;
+  row.Points.col(2) = 0.7 * row.Points.col(0);
+  for (const int port : { 0, 1 })
+  {
+    vtkNew<vtkMeshDistortion> distortion;
+    distortion->SetInputData(port, PolyData(row));
+    distortion->SetInputData(1 - port, PolyData(shapes::SquaresOnABall(4)));
+    distortion->Update();
+    EXPECT_GT(distortion->GetMSDM2(), 0.0);
+    EXPECT_LE(distortion->GetMSDM2(), 1.0);
+    EXPECT_GT(distortion->GetHausdorff(), 0.1);
+  }
+}
+
 TEST(MeshDistortion, PrintsItsResults)
 {
   vtkNew<vtkMeshDistortion> distortion;
