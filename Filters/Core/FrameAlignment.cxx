@@ -56,13 +56,7 @@ VectorXd Fits(const MatrixXf& soft)
   VectorXd fits = VectorXd::Zero(soft.rows());
   for (Index b = 0; b < soft.cols() / GolayCodeBits; ++b)
   {
-    const auto words = WordOf(soft, b);
-    for (Index row = 0; row < soft.rows(); ++row)
-    {
-      float fit = 0.0F;
-      GolayDecode(words.row(row), fit);
-      fits[row] += static_cast<double>(fit);
-    }
+    fits += GolayFits(WordOf(soft, b)).cast<double>();
   }
   return fits / static_cast<double>(soft.cols());
 }

@@ -125,25 +125,41 @@ private:
   }
 };
 
-// For all patterns of an octad whose last bit is 0, the sum of its soft bits with their signs.
-using OctadSums = std::array<float, 1U << (OctadBits - 1)>;
-
-OctadSums SumsOf(const Octad& places, const SoftWord& soft)
+// A column for each pattern of an octad whose last bit is 0: the sums of the words' soft bits with their
+// signs.
+Eigen::ArrayXXf SumsOf(const Octad& places, const SoftWords& soft)
 {
-  OctadSums sums;
-  sums[0] = 0.0F;
+  Eigen::ArrayXXf sums(soft.rows(), Eigen::Index{ 1 } << (OctadBits - 1));
+  sums.col(0).setZero();
   for (const int place : places)
   {
-    sums[0] += soft[place];
+    sums.col(0) += soft.col(place).array();
   }
   for (std::size_t bit = 0; bit < OctadBits - 1; ++bit)
   {
-    const std::size_t one = std::size_t{ 1 } << bit;
-    const float both = 2.0F * soft[places[bit]];
-    std::transform(sums.data(), sums.data() + one, sums.data() + one,
-      [both](float sum) { return sum - both; });
+    const Eigen::Index one = Eigen::Index{ 1 } << bit;
+    const Eigen::ArrayXf both = 2.0F * soft.col(places[bit]).array();
+    sums.middleCols(one, one) = sums.leftCols(one).colwise() - both;
   }
   return sums;
+}
+
+using SumsOfTrio = std::array<Eigen::ArrayXXf, Trio::Parts>;
+
+SumsOfTrio SumsOf(const Trio& trio, const SoftWords& soft)
+{
+  SumsOfTrio sums;
+  for (std::size_t part = 0; part < Trio::Parts; ++part)
+  {
+    sums[part] = SumsOf(trio.Octads[part], soft);
+  }
+  return sums;
+}
+
+const Trio& TheTrio()
+{
+  static const Trio trio;
+  return trio;
 }
 
 } // namespace
@@ -153,16 +169,12 @@ std::uint32_t GolayEncode(std::uint32_t data)
   return Encode(data % Words);
 }
 
-std::uint32_t GolayDecode(const SoftWord& soft, float& fit)
+std::uint32_t GolayDecode(const SoftWords& soft, float& fit)
 {
-  static const Trio trio;
-  std::array<OctadSums, Trio::Parts> sums;
-  for (std::size_t part = 0; part < Trio::Parts; ++part)
-  {
-    sums[part] = SumsOf(trio.Octads[part], soft);
-  }
+  const Trio& trio = TheTrio();
+  const SumsOfTrio sums = SumsOf(trio, soft);
   const auto magnitude = [&sums](std::size_t part, std::uint32_t pattern)
-  { return std::abs(sums[part][pattern]); };
+  { return std::abs(sums[part](0, pattern)); };
   const auto* best = &trio.Patterns.front();
   fit = -std::numeric_limits<float>::infinity();
   for (const auto& patterns : trio.Patterns)
@@ -179,9 +191,28 @@ std::uint32_t GolayDecode(const SoftWord& soft, float& fit)
   for (std::size_t part = 0; part < Trio::Parts; ++part)
   {
     const std::uint32_t pattern = (*best)[part];
-    word |= WordOf(trio.Octads[part], sums[part][pattern] < 0.0F ? pattern ^ AllOfOctad : pattern);
+    const bool isTurnedOver = sums[part](0, pattern) < 0.0F;
+    word |= WordOf(trio.Octads[part], isTurnedOver ? pattern ^ AllOfOctad : pattern);
   }
   return word % Words;
+}
+
+Eigen::VectorXf GolayFits(const SoftWords& soft)
+{
+  const Trio& trio = TheTrio();
+  SumsOfTrio magnitudes = SumsOf(trio, soft);
+  for (Eigen::ArrayXXf& part : magnitudes)
+  {
+    part = part.abs().eval();
+  }
+  Eigen::ArrayXf fits =
+    Eigen::ArrayXf::Constant(soft.rows(), -std::numeric_limits<float>::infinity());
+  for (const auto& patterns : trio.Patterns)
+  {
+    fits = fits.max(magnitudes[0].col(patterns[0]) + magnitudes[1].col(patterns[1]) +
+      magnitudes[2].col(patterns[2]));
+  }
+  return fits;
 }
 
 } // namespace spectralwatermark

@@ -17,15 +17,18 @@ namespace spectralwatermark
 constexpr int GolayDataBits = 12;
 constexpr int GolayCodeBits = 24;
 
-/// Soft bits of a word; a row of a matrix is not copied.
-using SoftWord = Eigen::Ref<const Eigen::RowVectorXf, 0, Eigen::InnerStride<>>;
+/// Soft bits, positive where they say 0: a row for each word, 24 columns.
+using SoftWords = Eigen::Ref<const Eigen::MatrixXf, 0, Eigen::OuterStride<>>;
 
 /// The lowest 12 bits are the data's, the others the check's.
 std::uint32_t GolayEncode(std::uint32_t data);
 
-/// The data whose word fits 24 soft bits best, always the same among equals. Soft bits are positive where
-/// they say 0; `fit` becomes their sum, each with the sign that the word gives it.
-std::uint32_t GolayDecode(const SoftWord& soft, float& fit);
+/// The data whose word fits the soft bits of one word best, always the same among equals. `fit` becomes
+/// their sum, each with the sign that the word gives it.
+std::uint32_t GolayDecode(const SoftWords& soft, float& fit);
+
+/// What `fit` becomes for each of the words.
+Eigen::VectorXf GolayFits(const SoftWords& soft);
 
 } // namespace spectralwatermark
 

@@ -228,7 +228,8 @@ std::optional<SolidFrame> FrameIfAny(const TriangleMesh& oriented)
   TriangleMesh mesh = oriented;
   mesh.Points.rowwise() -= centre;
   const Moments moments = MomentsOf(mesh);
-  if (!(moments.Volume > SmallestSolidity * std::pow(VertexAreas(mesh).sum(), 1.5)))
+  const double area = VertexAreas(mesh).sum();
+  if (!(area > 0.0) || !(moments.Volume > SmallestSolidity * std::pow(area, 1.5)))
   {
     return std::nullopt;
   }

@@ -137,9 +137,10 @@ void Reader::TryEverySmoothing(const Progress& progress)
       sharper.Points = smoothing.Apply(sharper.Points, -SmoothingFactor);
     }
     const std::optional<SolidFrame> frame = FrameIfAny(sharper);
-    if (!frame || !(VertexAreas(sharper).sum() < MostArea * area))
+    const bool hasGrown = level > 0 && !(VertexAreas(sharper).sum() < MostArea * area);
+    if (!frame || hasGrown)
     {
-      return; // noise has grown over everything
+      return; // noise is over everything
     }
     for (int turn = 0; turn < this->Turns; ++turn)
     {

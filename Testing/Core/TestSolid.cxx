@@ -187,6 +187,26 @@ TEST(Solid, ASheetIsNone)
   EXPECT_THROW(FrameOf(shapes::Rectangle(4, 4, 1.0, 1.0)), InvalidInput);
 }
 
+// Their volume is one of rounding.
+TEST(Solid, PointsInARowAreNone)
+{
+  for (Index count = 4; count < 60; ++count)
+  {
+    TriangleMesh row;
+    row.Points.resize(count, 3);
+    row.Triangles.resize(count - 2, 3);
+    for (Index v = 0; v < count; ++v)
+    {
+      row.Points.row(v) = static_cast<double>(v * v) * Eigen::RowVector3d(3.0, 7.0, 11.0);
+    }
+    for (Index t = 0; t < count - 2; ++t)
+    {
+      row.Triangles.row(t) << t, t + 1, t + 2;
+    }
+    EXPECT_FALSE(FrameIfAny(row).has_value()) << count;
+  }
+}
+
 TEST(Solid, VertexAreasAddUp)
 {
   const TriangleMesh box = Box(2.0, 1.0, 0.5);
@@ -232,6 +252,20 @@ TEST(GolayCode, DecodesToTheWordThatFitsBest)
     const std::uint32_t decoded = GolayDecode(soft, fit);
     EXPECT_NEAR(fit, best, 1e-5F);
     EXPECT_NEAR(soft.dot(SignsOf(decoded)), best, 1e-5F);
+  }
+}
+
+TEST(GolayCode, FitsOfManyAreTheFitsOfEach)
+{
+  const Eigen::MatrixXf all = Eigen::MatrixXf::Random(7, 2 * GolayCodeBits);
+  const Eigen::Map<const Eigen::MatrixXf, 0, Eigen::OuterStride<>> everyOther(all.data(), 7,
+    GolayCodeBits, Eigen::OuterStride<>(14));
+  const Eigen::VectorXf fits = GolayFits(everyOther);
+  for (Index row = 0; row < 7; ++row)
+  {
+    float fit = 0.0F;
+    GolayDecode(everyOther.row(row), fit);
+    EXPECT_EQ(fits[row], fit);
   }
 }
 
