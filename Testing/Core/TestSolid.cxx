@@ -187,24 +187,30 @@ TEST(Solid, ASheetIsNone)
   EXPECT_THROW(FrameOf(shapes::Rectangle(4, 4, 1.0, 1.0)), InvalidInput);
 }
 
-// Their volume is one of rounding.
+TriangleMesh PointsInARow(Index count, const Eigen::RowVector3d& direction)
+{
+  TriangleMesh row;
+  row.Points.resize(count, 3);
+  row.Triangles.resize(count - 2, 3);
+  for (Index v = 0; v < count; ++v)
+  {
+    row.Points.row(v) = static_cast<double>(v * v) * direction;
+  }
+  for (Index t = 0; t < count - 2; ++t)
+  {
+    row.Triangles.row(t) << t, t + 1, t + 2;
+  }
+  return row;
+}
+
+// The volume of the last is one of rounding.
 TEST(Solid, PointsInARowAreNone)
 {
   for (Index count = 4; count < 60; ++count)
   {
-    TriangleMesh row;
-    row.Points.resize(count, 3);
-    row.Triangles.resize(count - 2, 3);
-    for (Index v = 0; v < count; ++v)
-    {
-      row.Points.row(v) = static_cast<double>(v * v) * Eigen::RowVector3d(3.0, 7.0, 11.0);
-    }
-    for (Index t = 0; t < count - 2; ++t)
-    {
-      row.Triangles.row(t) << t, t + 1, t + 2;
-    }
-    EXPECT_FALSE(FrameIfAny(row).has_value()) << count;
+    EXPECT_FALSE(FrameIfAny(PointsInARow(count, { 3.0, 7.0, 11.0 })).has_value()) << count;
   }
+  EXPECT_FALSE(FrameIfAny(Oriented(PointsInARow(6, { 24.0, 1.0, 10.0 }))).has_value());
 }
 
 TEST(Solid, VertexAreasAddUp)

@@ -324,6 +324,24 @@ int NumberOfKeys()
 
 } // namespace
 
+// Points in a row: no area, but once they are centred, by rounding, a little of it and a volume.
+TEST(SolidReader, ASolidOfRoundingIsReadAsAnyOther)
+{
+  TriangleMesh row;
+  row.Points.resize(12, 3);
+  row.Triangles.resize(10, 3);
+  for (Index v = 0; v < 12; ++v)
+  {
+    row.Points.row(v) = static_cast<double>(v * v * v * v) * Eigen::RowVector3d(14.0, 5.0, 17.0);
+  }
+  for (Index t = 0; t < 10; ++t)
+  {
+    row.Triangles.row(t) << t, t + 1, t + 2;
+  }
+  ASSERT_TRUE(FrameIfAny(Oriented(row)).has_value());
+  EXPECT_FALSE(ReadSolid(row, SecretKey("owner"), 4, 2, Progress()).IsValid);
+}
+
 // Why a keystream makes what an unmarked mesh reads uniform, whatever is tried to read it.
 TEST(SolidReader, FlippingTheKeystreamUnderAWordFlipsThatWord)
 {

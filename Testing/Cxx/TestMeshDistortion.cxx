@@ -314,7 +314,7 @@ TEST(MeshDistortion, DistancesNeedASurfaceWithArea)
 }
 
 // Points in a row that is not along an axis: by rounding, triangles do have a little area.
-TEST(MeshDistortion, PerceptualDistanceOfTrianglesWithHardlyAnAreaIsOne)
+TEST(MeshDistortion, PerceptualDistanceStaysInItsRangeBesideNeedles)
 {
   shapes::TriangleMesh row = shapes::Rectangle(4, 4, 1.0, 1.0);
   row.Points.col(0).setLinSpaced(0.0, 1.0);
