@@ -206,13 +206,14 @@ vtkSmartPointer<vtkPolyDataAlgorithm> Filter(const std::string& name, Bytes& byt
 // What takes long, in an instrumented build, is done on meshes of so few.
 constexpr vtkIdType FewPoints = 100;
 
-// What embeds again and again for half a minute.
+// What embeds again and again, or solves again and again for most of a spectrum, for half a minute.
 void KeepShort(vtkPolyDataAlgorithm* filter, vtkPolyData* mesh)
 {
   auto* embed = vtkSpectralWatermarkEmbed::SafeDownCast(filter);
   if (embed != nullptr && mesh->GetNumberOfPoints() > FewPoints)
   {
     embed->ReportCapacityOff();
+    embed->SetMaximumNumberOfIterations(1);
   }
 }
 
