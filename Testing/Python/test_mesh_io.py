@@ -894,6 +894,8 @@ for path in sys.argv[1:]:
                  "line 5 is not a point of 3 finite numbers; colours need COFF in the first line, normals NOFF"),
                 ("4.off", b"solid pebble\n", "does not begin with OFF, COFF or NOFF; is it an OFF file?"),
                 ("9.vtp", appended[:end - 20] + appended[end:], "its binary part is cut off or was copied as text"),
+                *((f"{name}.vtp", appended.replace(struct.pack("<II", 1, 32768), struct.pack("<II", 1, block)),
+                   "its binary part is cut off or was copied as text") for name, block in (("10", 0), ("11", 8))),
                 ("1.vtp", vtp.replace(b"connectivity", b"other"), "its Polys are incomplete"),
                 ("2.vtp", vtp.replace(b"</Piece>", b"").replace(b"</PolyData>", b""),
                  "its XML cannot be read"),

@@ -141,6 +141,8 @@ def _content(source: bytes, is_text: bool, file: _File) -> bytes:
         return b""
     head = _numbers(source, is_text, 0, 3 + count, file)
     block, last, sizes = head[1], head[2], head[3:]
+    if last > block:  # VTK divides by a block's size, and looks for blocks that are not there
+        raise Damaged(NOT_WHOLE)
     lengths = [block] * (count - 1) + [last or block]
     start = (3 + count) * size
     if is_text:  # the head is a piece of base64 by itself
