@@ -15,8 +15,8 @@ import sys
 from pathlib import Path
 
 from spectralwatermark import vtkSpectralWatermarkEmbed
-from spectralwatermark.mesh_io import MeshFileError, read_mesh, stores_float, write_mesh
-from spectralwatermark.running import FilterError, update
+from spectralwatermark.io import MeshFileError, read_mesh, stores_float, write_mesh
+from spectralwatermark.execution import FilterError, update
 
 SUFFIXES = (".ply", ".obj", ".stl", ".vtp")
 

@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 from spectralwatermark import vtkManifoldHarmonics, vtkManifoldHarmonicsReconstruction
-from spectralwatermark.mesh_io import read_mesh, write_mesh
+from spectralwatermark.io import read_mesh, write_mesh
 
 
 def main(mesh: str, folder: str, count: str = "300") -> None:

@@ -15,7 +15,7 @@ import vtkmodules.vtkInteractionStyle  # noqa: F401 - registers the interactor's
 import vtkmodules.vtkRenderingFreeType  # noqa: F401 - registers text
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 - registers OpenGL
 from spectralwatermark import vtkManifoldHarmonics
-from spectralwatermark.mesh_io import read_mesh
+from spectralwatermark.io import read_mesh
 from vtkmodules.vtkCommonCore import vtkCommand
 from vtkmodules.vtkInteractionWidgets import vtkSliderRepresentation2D, vtkSliderWidget
 from vtkmodules.vtkIOImage import vtkPNGWriter

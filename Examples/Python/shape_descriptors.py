@@ -17,7 +17,7 @@ from pathlib import Path
 
 import numpy as np
 from spectralwatermark import vtkManifoldHarmonics
-from spectralwatermark.mesh_io import read_mesh, write_mesh
+from spectralwatermark.io import read_mesh, write_mesh
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 

@@ -13,7 +13,7 @@ import sys
 import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401 - registers the chart's device
 import vtkmodules.vtkRenderingFreeType  # noqa: F401 - registers text
 from spectralwatermark import vtkManifoldHarmonics
-from spectralwatermark.mesh_io import read_mesh
+from spectralwatermark.io import read_mesh
 from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartXY
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter

@@ -25,7 +25,7 @@ from spectralwatermark import (
     vtkSpectralWatermarkEmbed,
 )
 from spectralwatermark.attacks import attacks_on
-from spectralwatermark.mesh_io import MeshFileError, read_mesh, stores_float, write_file, write_mesh
+from spectralwatermark.io import MeshFileError, read_mesh, stores_float, write_file, write_mesh
 from tqdm import tqdm
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable

@@ -14,7 +14,7 @@ from collections import defaultdict
 import numpy as np
 
 from spectralwatermark import vtkSpectralWatermarkDetect, vtkSpectralWatermarkEmbed
-from spectralwatermark.mesh_io import read_mesh
+from spectralwatermark.io import read_mesh
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData

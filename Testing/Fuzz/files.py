@@ -12,13 +12,13 @@ from vtkmodules.vtkCommonCore import vtkObject
 
 # The package as its sources are, without the library, which no reader needs.
 package = types.ModuleType("spectralwatermark")
-package.__path__ = [str(Path(__file__).resolve().parents[2] / "Wrapping" / "Python")]
+package.__path__ = [str(Path(__file__).resolve().parents[2] / "Wrapping" / "Python" / "spectralwatermark")]
 sys.modules[package.__name__] = package
-from spectralwatermark import mesh_io, vtp  # noqa: E402
+from spectralwatermark.io import MeshFileError, read_mesh, vtp, write_mesh  # noqa: E402
 
 READ = (".ply", ".obj", ".stl", ".vtp", ".off")
 WRITTEN = (".ply", ".obj", ".stl", ".vtp")
-TRACED_FILES = (mesh_io.read_mesh.__code__.co_filename, vtp.check.__code__.co_filename)
+TRACED_FILES = (read_mesh.__code__.co_filename, vtp.check.__code__.co_filename)
 
 vtkObject.GlobalWarningDisplayOff()
 _folder = tempfile.TemporaryDirectory(prefix="fuzz", dir="/dev/shm" if os.path.isdir("/dev/shm") else None)
@@ -33,8 +33,8 @@ def run(data: bytes) -> None:
     source = Path(_folder.name, "read" + READ[choice % len(READ)])
     source.write_bytes(data[1:])
     try:
-        mesh = mesh_io.read_mesh(source)
-    except mesh_io.MeshFileError as error:
+        mesh = read_mesh(source)
+    except MeshFileError as error:
         assert str(error).startswith(str(source)) and "\n" not in str(error), error
         return
     if choice // 8 % 4 == 0:
@@ -45,13 +45,13 @@ def run(data: bytes) -> None:
 def _there_and_back(mesh, suffix: str) -> None:
     target = Path(_folder.name, "written" + suffix)
     try:
-        mesh_io.write_mesh(mesh, target)
-    except mesh_io.MeshFileError as error:
+        write_mesh(mesh, target)
+    except MeshFileError as error:
         assert not target.exists() and "\n" not in str(error), error
         return
     polygons = mesh.GetNumberOfPolys()
     try:
-        again = mesh_io.read_mesh(target)
+        again = read_mesh(target)
         if suffix == ".vtp":  # the others may part strips and seams, or leave out what has no area
             assert again.GetNumberOfPoints() == mesh.GetNumberOfPoints()
             assert again.GetNumberOfPolys() == polygons

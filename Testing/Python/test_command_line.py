@@ -430,13 +430,13 @@ class BadInputTest(InFolder):
 class FaultTest(InFolder):
     def run_with(self, spoilt, *arguments):
         """The program, with one of its functions replaced."""
-        script = ("import sys\nfrom unittest import mock\nfrom spectralwatermark.command_line import commands, main\n"
+        script = ("import sys\nfrom unittest import mock\nfrom spectralwatermark.cli import commands, main\n"
                   f"with mock.patch({spoilt}):\n    sys.exit(main(sys.argv[1:]))\n")
         return subprocess.run([sys.executable, "-c", script, *arguments], stdin=subprocess.DEVNULL,
                               capture_output=True, text=True, check=False)
 
     def test_a_mark_that_is_not_read_back_is_not_written(self):
-        done = self.run_with("'spectralwatermark.command_line.commands.vtkSpectralWatermarkEmbed', type('Fails', ("
+        done = self.run_with("'spectralwatermark.cli.commands.vtkSpectralWatermarkEmbed', type('Fails', ("
                              "commands.vtkSpectralWatermarkEmbed,), {'GetConverged': lambda self: 0})",
                              "embed", "model.ply", "out.ply", "--key-file", "my.key")
         self.assertEqual((done.returncode, done.stdout), (ERROR, ""), done)
@@ -448,7 +448,7 @@ class FaultTest(InFolder):
         """In what is done before, in the process that works, and in what it does to one file."""
         for function, file in (("requests.requests_of", ""), ("commands.run", ""),
                                ("inspection.describe", "model.ply: ")):
-            done = self.run_with(f"'spectralwatermark.command_line.{function}', side_effect=ValueError('a\\nb')",
+            done = self.run_with(f"'spectralwatermark.cli.{function}', side_effect=ValueError('a\\nb')",
                                  "info", "model.ply")
             self.assertEqual((done.returncode, done.stdout), (ERROR, ""), done)
             self.assertEqual(done.stderr, f"spectral-watermark: {file}ValueError: a b; please report this\n")

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from spectralwatermark import vtkSpectralWatermarkDetect
-from spectralwatermark.mesh_io import read_mesh
+from spectralwatermark.io import read_mesh
 
 MARKED = Path(__file__).resolve().parents[1] / "Marked"
 SECRET = "the secret of 2026"

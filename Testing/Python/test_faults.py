@@ -15,7 +15,7 @@ import time
 import unittest
 from pathlib import Path
 
-from spectralwatermark.mesh_io import read_mesh
+from spectralwatermark.io import read_mesh
 
 ROOT = Path(__file__).resolve().parents[2]
 PEBBLE = ROOT / "Data" / "pebble.ply"

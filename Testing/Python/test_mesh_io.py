@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 from spectralwatermark import vtkSpectralWatermarkDetect, vtkSpectralWatermarkEmbed
-from spectralwatermark.mesh_io import MeshFileError, read_mesh, stores_float, write_file, write_mesh
+from spectralwatermark.io import MeshFileError, read_mesh, stores_float, write_file, write_mesh
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -357,7 +357,7 @@ class WritingTest(InFolder):
     def test_a_full_disk_leaves_the_old_file_and_nothing_else(self):
         child = """
 import sys
-from spectralwatermark.mesh_io import MeshFileError, read_mesh, write_mesh
+from spectralwatermark.io import MeshFileError, read_mesh, write_mesh
 mesh = read_mesh(sys.argv[1])
 for path in sys.argv[2:]:
     try:
@@ -411,7 +411,7 @@ class ReadingTest(InFolder):
         child = """
 import resource
 import sys
-from spectralwatermark.mesh_io import MeshFileError, read_mesh
+from spectralwatermark.io import MeshFileError, read_mesh
 with open("/proc/self/statm") as file:
     limit = int(file.read().split()[0]) * resource.getpagesize() + 2_000_000
 resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
@@ -674,7 +674,7 @@ class DamageTest(InFolder):
 
     CHILD = """
 import sys
-from spectralwatermark.mesh_io import MeshFileError, read_mesh
+from spectralwatermark.io import MeshFileError, read_mesh
 for path in sys.argv[1:]:
     try:
         print("read", read_mesh(path).GetNumberOfPolys(), flush=True)

@@ -103,9 +103,9 @@ class ReportTest(unittest.TestCase):
     def test_without_a_message_to_look_for(self):
         script = """
 from spectralwatermark import vtkSpectralWatermarkDetect
-from spectralwatermark.mesh_io import read_mesh
+from spectralwatermark.io import read_mesh
 from spectralwatermark.report import write_report
-from spectralwatermark.running import FilterError
+from spectralwatermark.execution import FilterError
 mesh = read_mesh("model.ply")
 try:
     write_report(mesh, mesh, "other.html", vtkSpectralWatermarkDetect)

@@ -14,7 +14,7 @@ import unittest
 from pathlib import Path
 
 from spectralwatermark import vtkSpectralWatermarkDetect, vtkSpectralWatermarkEmbed
-from spectralwatermark.mesh_io import read_mesh
+from spectralwatermark.io import read_mesh
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkTable
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLTableWriter

@@ -21,4 +21,4 @@ PYTHONPATH=$project/build/lib/python3/dist-packages /usr/bin/python3 "$folder/ge
   # The generator forgets to import what SafeDownCast() takes.
   sed "0,/^import vtkmodules/s//from vtkmodules.vtkCommonCore import vtkObjectBase\nimport vtkmodules/" \
     "$folder/vtkFiltersSpectralWatermark.pyi"
-} >"$project/Wrapping/Python/vtkFiltersSpectralWatermark.pyi"
+} >"$project/Wrapping/Python/spectralwatermark/vtkFiltersSpectralWatermark.pyi"

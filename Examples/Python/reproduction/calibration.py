@@ -8,8 +8,8 @@ import zlib
 
 import numpy as np
 from spectralwatermark import vtkSpectralWatermarkDetect
-from spectralwatermark.mesh_io import read_mesh
-from spectralwatermark.running import update
+from spectralwatermark.io import read_mesh
+from spectralwatermark.execution import update
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .detection import (

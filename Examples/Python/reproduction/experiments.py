@@ -14,7 +14,7 @@ from spectralwatermark import (
     vtkSpectralWatermarkDetect,
     vtkSpectralWatermarkEmbed,
 )
-from spectralwatermark.running import FilterError, update
+from spectralwatermark.execution import FilterError, update
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .models import Model

@@ -20,8 +20,8 @@ from spectralwatermark import (
     vtkMeshDistortion,
     vtkSpectralWatermarkEmbed,
 )
-from spectralwatermark.mesh_io import read_mesh
-from spectralwatermark.running import update
+from spectralwatermark.io import read_mesh
+from spectralwatermark.execution import update
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
 from vtkmodules.vtkRenderingCore import vtkCamera

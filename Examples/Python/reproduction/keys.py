@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 from spectralwatermark import vtkMeshAttack, vtkSpectralWatermarkDetect
-from spectralwatermark.mesh_io import read_mesh
-from spectralwatermark.running import update
+from spectralwatermark.io import read_mesh
+from spectralwatermark.execution import update
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .models import PEBBLE

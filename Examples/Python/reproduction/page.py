@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 
-from spectralwatermark.markup import STYLE, Line, percent, table
+from spectralwatermark.report.html import STYLE, Line, percent, table
 
 from . import (
     paper,

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from spectralwatermark.markup import Cell, Line, figure, percent, table
+from spectralwatermark.report.html import Cell, Line, figure, percent, table
 
 from . import calibration, detection, results
 from .calibration import ALPHAS, DIVISIONS

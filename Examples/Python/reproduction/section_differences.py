@@ -7,7 +7,7 @@ from html import escape
 
 import numpy as np
 
-from spectralwatermark.markup import Cell, Line, table
+from spectralwatermark.report.html import Cell, Line, table
 
 from . import paper, results
 from .experiments import MODES

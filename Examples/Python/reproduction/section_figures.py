@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from spectralwatermark.markup import figure
+from spectralwatermark.report.html import figure
 
 from . import plan as planning
 from .experiments import MODE

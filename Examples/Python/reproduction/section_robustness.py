@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from html import escape
 from pathlib import Path
 
-from spectralwatermark.markup import Cell, Line, heat, percent, table
+from spectralwatermark.report.html import Cell, Line, heat, percent, table
 
 from . import results
 from .experiments import ATTACK, MODES, UNATTACKED, Mode

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from spectralwatermark.markup import Cell, Line, table
+from spectralwatermark.report.html import Cell, Line, table
 
 from . import paper, results, timing
 from .experiments import MODES, Mode

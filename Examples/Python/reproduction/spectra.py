@@ -7,8 +7,8 @@ from functools import lru_cache
 
 import numpy as np
 from spectralwatermark import vtkManifoldHarmonics
-from spectralwatermark.mesh_io import read_mesh
-from spectralwatermark.running import update
+from spectralwatermark.io import read_mesh
+from spectralwatermark.execution import update
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 

@@ -6,8 +6,8 @@ from __future__ import annotations
 import time
 
 from spectralwatermark import vtkManifoldHarmonics, vtkMeshAttack
-from spectralwatermark.mesh_io import MeshFileError, read_mesh
-from spectralwatermark.running import FilterError, update
+from spectralwatermark.io import MeshFileError, read_mesh
+from spectralwatermark.execution import FilterError, update
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import paper

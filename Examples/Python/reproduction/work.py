@@ -12,8 +12,8 @@ from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wai
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 
-from spectralwatermark.mesh_io import MeshFileError
-from spectralwatermark.running import FilterError
+from spectralwatermark.io import MeshFileError
+from spectralwatermark.execution import FilterError
 from tqdm import tqdm
 
 from .models import Model

@@ -11,7 +11,7 @@ from pathlib import Path
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from spectralwatermark import vtkMeshAttack
-from spectralwatermark.mesh_io import read_mesh, write_mesh
+from spectralwatermark.io import read_mesh, write_mesh
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 from spectralwatermark import pictures
-from spectralwatermark.markup import STYLE, Cell, Line, figure, heat, table
+from spectralwatermark.report.html import STYLE, Cell, Line, figure, heat, table
 
 import published
 from attacks import ATTACKS, Attack

@@ -21,7 +21,7 @@ from attacks import ATTACKS
 from results import Mark, Outcome, append_row, read_rows
 from schemes import SCHEMES, Marked
 from spectralwatermark import vtkMeshDistortion
-from spectralwatermark.mesh_io import read_mesh
+from spectralwatermark.io import read_mesh
 
 Group = tuple[str, str, str]  # scheme, mesh, key: one marked mesh
 Case = tuple[str, str]  # attack, strength

@@ -2,7 +2,7 @@
 """A page that shows what a mark is worth, to send along with a model: one HTML file, no others.
 
     from spectralwatermark import vtkSpectralWatermarkDetect
-    from spectralwatermark.mesh_io import read_mesh
+    from spectralwatermark.io import read_mesh
     from spectralwatermark.report import write_report
 
     def detector():
@@ -31,17 +31,16 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
-from . import (
-    charts,
-    pictures,
+from .. import (
     vtkManifoldHarmonics,
     vtkMeshDistortion,
     vtkSpectralWatermarkDetect,
 )
-from .attacks import attacks_on
-from .markup import STYLE, Cell, Line, table
-from .mesh_io import write_file
-from .running import FilterError, update
+from ..attacks import attacks_on
+from . import charts, rendering
+from .html import STYLE, Cell, Line, table
+from ..io import write_file
+from ..execution import FilterError, update
 
 __all__ = ["write_report"]
 
@@ -135,25 +134,25 @@ def _harmonics_of(mesh: vtkPolyData, run) -> vtkTable:
 
 
 def _draw(folder: Path, original, marked, distortion, readings, spectra) -> None:
-    pictures.write_panels(
+    rendering.write_panels(
         folder / "sides.png",
-        [pictures.Panel(mesh, f"{what}, {side}") for mesh, what in ((original, "original"),
+        [rendering.Panel(mesh, f"{what}, {side}") for mesh, what in ((original, "original"),
                                                                    (marked, "marked"))
          for side, _, _ in SIDES],
         columns=4, size=420,
-        cameras=[pictures.view_of(mesh, front, up) for mesh in (original, marked)
+        cameras=[rendering.view_of(mesh, front, up) for mesh in (original, marked)
                  for _, front, up in SIDES])
     percent = vtkPolyData()
     percent.DeepCopy(distortion.GetOutput())
     values = vtk_to_numpy(percent.GetPointData().GetArray("SurfaceDistance"))  # a view
     values *= 100.0
-    colours = pictures.heat(max(float(values.max()), 1e-12))
-    pictures.write_panels(
+    colours = rendering.heat(max(float(values.max()), 1e-12))
+    rendering.write_panels(
         folder / "distortion.png",
-        [pictures.Panel(percent, side, "SurfaceDistance", 0, colours, "percent of the diagonal")
+        [rendering.Panel(percent, side, "SurfaceDistance", 0, colours, "percent of the diagonal")
          for side, _, _ in (SIDES[0], SIDES[2])],
         columns=2, size=620,
-        cameras=[pictures.view_of(percent, front, up) for _, front, up in (SIDES[0], SIDES[2])])
+        cameras=[rendering.view_of(percent, front, up) for _, front, up in (SIDES[0], SIDES[2])])
     charts.write_spectra(folder / "spectrum.png", *spectra)
     if readings[0].carriers.GetColumnByName("Carrier") is not None:  # of the robust scheme
         charts.write_carriers(folder / "carriers.png", [

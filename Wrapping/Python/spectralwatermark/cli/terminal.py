@@ -38,7 +38,7 @@ def say(request: dict, result: dict, as_json: bool) -> None:
     if "error" in result:
         say_error(result["error"])
     elif not as_json:
-        from .words import lines_of
+        from .text_output import lines_of
 
         print_text("\n".join(lines_of(request, result)))
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 import argparse
 import re
 
-from spectralwatermark.command_line.parser import DESCRIPTION, OVERVIEW, build_parser
+from spectralwatermark.cli.parser import DESCRIPTION, OVERVIEW, build_parser
 from spectralwatermark.version import VERSION
 
 

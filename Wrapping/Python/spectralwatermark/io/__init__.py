@@ -2,7 +2,7 @@
 """Reads and writes mesh files; what goes wrong is one line, the text of a MeshFileError.
 
     from spectralwatermark import vtkSpectralWatermarkEmbed
-    from spectralwatermark.mesh_io import read_mesh, stores_float, write_mesh
+    from spectralwatermark.io import read_mesh, stores_float, write_mesh
 
     embed = vtkSpectralWatermarkEmbed()
     embed.SetInputData(read_mesh("model.obj"))
@@ -201,7 +201,7 @@ def _require_memory(needed: float) -> None:
     """Linux grants what is not there, and kills the process that uses it."""
     if needed <= _LITTLE_MEMORY:
         return
-    from . import vtkSpectralWatermarkAlgorithm
+    from .. import vtkSpectralWatermarkAlgorithm
 
     free = vtkSpectralWatermarkAlgorithm.GetAvailableMemory()
     if needed > free:

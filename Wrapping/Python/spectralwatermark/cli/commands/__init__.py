@@ -17,7 +17,7 @@ from spectralwatermark import (
     vtkSpectralWatermarkDetect,
     vtkSpectralWatermarkEmbed,
 )
-from spectralwatermark.mesh_io import (
+from spectralwatermark.io import (
     MeshFileError,
     check_writable,
     read_mesh,
@@ -25,13 +25,13 @@ from spectralwatermark.mesh_io import (
     write_file,
     write_mesh,
 )
-from spectralwatermark.running import FilterError, update
+from spectralwatermark.execution import FilterError, update
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkCommand, vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
-from . import terminal
+from .. import terminal
 
 Show = Callable[[float, str], None]
 
@@ -311,7 +311,7 @@ def _write_table(table: vtkTable, path: Path) -> None:
 
 
 def _info(request: dict, show: Show) -> dict:
-    from .inspection import capacity_of, describe
+    from ..mesh_info import capacity_of, describe
 
     mesh = _read_sound(request["input"])
     result = describe(mesh)

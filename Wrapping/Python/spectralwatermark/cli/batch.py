@@ -69,7 +69,7 @@ def _run_one(request: dict) -> dict:
         return {"file": request["input"], "output": request["output"], "skipped": True}
     # The request goes through a pipe: argument lists and environments are for others to see.
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
-    with subprocess.Popen([sys.executable, "-m", "spectralwatermark.command_line", "worker"],
+    with subprocess.Popen([sys.executable, "-m", "spectralwatermark.cli", "worker"],
                           stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                           env=environment, start_new_session=True) as process:
         _running.add(process)

@@ -3,11 +3,11 @@
 
     parser.py     what can be typed, and the help that teaches it
     secret.py     where the secret comes from
-    requests.py   from what was typed to a request for each mesh
-    commands.py   what each command does to one mesh: from a request to a result
-    inspection.py what info tells
-    many.py       the same for many files, each in a process of its own
-    words.py      results in words
+    tasks.py      from what was typed to a request for each mesh
+    commands/     what each command does to one mesh: from a request to a result
+    mesh_info.py  what info tells
+    batch.py      the same for many files, each in a process of its own
+    text_output.py results in words
     terminal.py   results as lines or JSON, progress, errors
 
 What takes long to import (numpy, VTK's readers) waits until the arguments are understood.
@@ -30,7 +30,7 @@ def main(arguments: list[str] | None = None) -> int:
     terminal.print_any_name()
     try:
         if arguments == ["worker"]:  # what --jobs starts: a request on standard input
-            from .many import work
+            from .batch import work
 
             return work()
         return _run(arguments)
@@ -49,14 +49,14 @@ def main(arguments: list[str] | None = None) -> int:
 
 def _run(typed: list[str]) -> int:
     from .parser import parse
-    from .requests import requests_of
+    from .tasks import requests_of
 
     arguments = parse(typed)
     requests = requests_of(arguments)
     # Only now: a prompt for the secret ends at once.
     terminal.catch_signals((signal.SIGINT, signal.SIGTERM, signal.SIGHUP))
     if len(requests) > 1:
-        from .many import run_all
+        from .batch import run_all
 
         return run_all(requests, arguments.jobs, arguments.json)
     with terminal.display(arguments.command == "report"):

@@ -11,7 +11,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkTable
 
-from .pictures import Curve, table_of, write_chart
+from .rendering import Curve, table_of, write_chart
 
 __all__ = ["write_carriers", "write_spectra"]
 
