@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkManifoldHarmonics.h"
 
-#include "Core/ManifoldHarmonics.h"
-#include "Private/FilterRun.h"
+#include "Core/Harmonics/LaplaceOperator.h"
+#include "Core/Harmonics/ManifoldHarmonics.h"
+#include "Private/FilterExecution.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkManifoldHarmonicsReconstruction.h"
 
-#include "Core/Errors.h"
-#include "Core/ManifoldHarmonics.h"
-#include "Private/FilterRun.h"
+#include "Core/Harmonics/ManifoldHarmonics.h"
+#include "Core/Harmonics/Transform.h"
+#include "Core/Support/Errors.h"
+#include "Private/FilterExecution.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
 

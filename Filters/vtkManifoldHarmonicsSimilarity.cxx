@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkManifoldHarmonicsSimilarity.h"
 
-#include "Core/BasisSimilarity.h"
+#include "Core/Harmonics/BasisSimilarity.h"
+#include "Core/Harmonics/ManifoldHarmonics.h"
+#include "Core/Support/Progress.h"
 #include "Private/BasisTransfer.h"
-#include "Private/FilterRun.h"
+#include "Private/FilterExecution.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
 

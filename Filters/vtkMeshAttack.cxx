@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshAttack.h"
 
-#include "Core/Attacks.h"
-#include "Core/Errors.h"
-#include "Core/ManifoldHarmonics.h"
-#include "Core/MemoryLimit.h"
-#include "Core/Noise.h"
-#include "Private/FilterRun.h"
+#include "Core/Attacks/Attacks.h"
+#include "Core/Attacks/Sqrt3Subdivision.h"
+#include "Core/Harmonics/ManifoldHarmonics.h"
+#include "Core/Harmonics/Transform.h"
+#include "Core/Support/Errors.h"
+#include "Core/Support/MemoryBudget.h"
+#include "Core/Support/Progress.h"
+#include "Core/Support/Random.h"
+#include "Private/FilterExecution.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
-#include "Private/Rearrangement.h"
-#include "Private/SurfaceResampling.h"
+#include "Private/Reordering.h"
+#include "Private/Resampling.h"
 
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -232,7 +235,7 @@ void vtkMeshAttack::Transform(vtkPolyData* input, vtkPolyData* output)
   move->SetInputData(input);
   move->SetTransform(transform);
   move->SetOutputPointsPrecision(this->OutputPointsPrecision);
-  sw::UpdateInside(move, this, 0.1, 1.0);
+  sw::RunInternalFilter(move, this, 0.1, 1.0);
   sw::CheckStorable(sw::PointsOf(move->GetOutput(), mesh.PointOfVertex),
     sw::StoresFloat(input, this->OutputPointsPrecision));
   output->ShallowCopy(move->GetOutput());
@@ -296,7 +299,7 @@ void vtkMeshAttack::Simplify(vtkPolyData* input, vtkPolyData* output)
   vtkNew<vtkQuadricDecimation> decimate;
   decimate->SetInputData(sw::ToPolyData(mesh.Mesh, false));
   decimate->SetTargetReduction(this->SimplificationPercent / 100.0);
-  sw::UpdateInside(decimate, this, 0.1, 1.0);
+  sw::RunInternalFilter(decimate, this, 0.1, 1.0);
   if (decimate->GetOutput()->GetNumberOfPolys() == 0)
   {
     throw sw::InvalidInput("no triangle is left: lower SimplificationPercent");
@@ -318,7 +321,7 @@ void vtkMeshAttack::Shuffle(vtkPolyData* input, vtkPolyData* output)
 {
   sw::ToMesh(input); // for its checks
   sw::ProgressOf(this).Report(0.3);
-  output->ShallowCopy(sw::Rearranged(input, Shuffled(input->GetNumberOfPoints(), this->Seed, 0),
+  output->ShallowCopy(sw::ExtractPoints(input, Shuffled(input->GetNumberOfPoints(), this->Seed, 0),
     Shuffled(input->GetNumberOfPolys(), this->Seed, 1)));
 }
 
@@ -349,7 +352,8 @@ void vtkMeshAttack::Crop(vtkPolyData* input, vtkPolyData* output)
     points.push_back(heights[k].second);
   }
   std::sort(points.begin(), points.end());
-  const auto cropped = sw::Rearranged(input, points, sw::AsTheyAre(input->GetNumberOfPolys()));
+  const auto cropped =
+    sw::ExtractPoints(input, points, sw::IdentityOrder(input->GetNumberOfPolys()));
   if (cropped->GetNumberOfPolys() + cropped->GetNumberOfStrips() == 0)
   {
     throw sw::InvalidInput("no polygon is left: lower CroppingPercent");

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshDistortion.h"
 
-#include "Core/Distortion.h"
-#include "Core/MemoryLimit.h"
-#include "Core/StructuralDistortion.h"
-#include "Private/FilterRun.h"
+#include "Core/Distortion/BallNeighbourhood.h"
+#include "Core/Distortion/PointDifferences.h"
+#include "Core/Distortion/StructuralDistortion.h"
+#include "Core/Mesh/EdgeTopology.h"
+#include "Core/Mesh/Measures.h"
+#include "Core/Support/MemoryBudget.h"
+#include "Core/Support/Progress.h"
+#include "Private/FilterExecution.h"
 #include "Private/PerceptualDistance.h"
 #include "Private/PolyDataMesh.h"
 #include "Private/Results.h"
@@ -95,9 +99,9 @@ struct vtkMeshDistortion::Surfaces
   double Msdm(vtkPolyData* distorted) const
   {
     sw::TriangleMesh moved = this->Before.Mesh;
-    moved.Points = sw::PointsAt(distorted, this->Before.PointOfVertex);
-    return sw::CubicMean(sw::LocalMsdm(sw::EdgesInBalls(this->Before.Mesh), sw::EdgesInBalls(moved),
-      sw::LongestSide(this->Before.Mesh.Points), sw::ThreadsOfVtk()));
+    moved.Points = sw::CheckedPoints(distorted, this->Before.PointOfVertex);
+    return sw::CubicMean(sw::LocalMsdm(sw::BallNeighbourhood(this->Before.Mesh),
+      sw::BallNeighbourhood(moved), sw::LongestSide(this->Before.Mesh.Points), sw::ThreadsOfVtk()));
   }
 
   sw::PolyDataMesh Before;
@@ -168,7 +172,7 @@ void vtkMeshDistortion::ComparePoints(vtkPolyData* reference, vtkPolyData* disto
   vtkPolyData* output)
 {
   const sw::PolyDataMesh mesh = sw::ToMesh(reference, sw::CoincidentPoints::Keep);
-  const sw::TriangleMesh::PointMatrix moved = sw::PointsAt(distorted, mesh.PointOfVertex);
+  const sw::TriangleMesh::PointMatrix moved = sw::CheckedPoints(distorted, mesh.PointOfVertex);
   const double diagonal = sw::BoundingBoxDiagonal(mesh.Mesh.Points);
   const Eigen::VectorXd geometric = sw::GeometricDifference(mesh.Mesh.Points, moved) / diagonal;
   const Eigen::VectorXd curvature =

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpectralWatermarkAlgorithm.h"
 
-#include "Core/Errors.h"
-#include "Core/MemoryLimit.h"
-#include "Core/SecretKey.h"
-#include "Core/SlotWatermark.h"
+#include "Core/PaperScheme/Slots.h"
+#include "Core/Payload/SecretKey.h"
+#include "Core/Support/Errors.h"
+#include "Core/Support/MemoryBudget.h"
 
 #include <vtkInformation.h>
 #include <vtkTable.h>

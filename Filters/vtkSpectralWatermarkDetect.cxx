@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpectralWatermarkDetect.h"
 
-#include "Core/Detection.h"
-#include "Core/Errors.h"
-#include "Core/MemoryLimit.h"
-#include "Core/SecretKey.h"
-#include "Core/SolidReader.h"
+#include "Core/Harmonics/ManifoldHarmonics.h"
+#include "Core/Harmonics/Transform.h"
+#include "Core/PaperScheme/SlotDetection.h"
+#include "Core/PaperScheme/Slots.h"
+#include "Core/Payload/BitAgreement.h"
+#include "Core/Payload/Bits.h"
+#include "Core/Payload/SecretKey.h"
+#include "Core/RobustScheme/CarrierSet.h"
+#include "Core/RobustScheme/RobustReader.h"
+#include "Core/Support/Errors.h"
+#include "Core/Support/MemoryBudget.h"
 #include "Private/CarrierTable.h"
-#include "Private/FilterRun.h"
+#include "Private/FilterExecution.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
 #include "Private/Results.h"
@@ -54,7 +60,7 @@ int vtkSpectralWatermarkDetect::RequestData(vtkInformation*, vtkInformationVecto
       vtkTable* table = vtkTable::GetData(outputs, 1);
       if (this->IsRobust())
       {
-        this->ReadSolid(input, table);
+        this->ReadRobust(input, table);
       }
       else
       {
@@ -92,7 +98,7 @@ void vtkSpectralWatermarkDetect::ReadSlots(vtkPolyData* input, vtkTable* table)
   }
 }
 
-void vtkSpectralWatermarkDetect::ReadSolid(vtkPolyData* input, vtkTable* table)
+void vtkSpectralWatermarkDetect::ReadRobust(vtkPolyData* input, vtkTable* table)
 {
   const sw::PolyDataMesh mesh = sw::ToMesh(input);
   constexpr double bytesOfTriangle = 455.0; // at the peak, as measured
@@ -101,8 +107,8 @@ void vtkSpectralWatermarkDetect::ReadSolid(vtkPolyData* input, vtkTable* table)
   const std::string wanted = this->WantedMessage(this->GetHasSecretKey() ? key.get() : nullptr);
   const sw::Index bits =
     wanted.empty() ? this->GetNumberOfBits() : static_cast<sw::Index>(wanted.size());
-  const sw::SolidReading reading =
-    sw::ReadSolid(mesh.Mesh, *key, bits, sw::ThreadsOfVtk(), sw::ProgressOf(this));
+  const sw::RobustReading reading =
+    sw::ReadRobust(mesh.Mesh, *key, bits, sw::ThreadsOfVtk(), sw::ProgressOf(this));
 
   sw::FillCarriersTable(table, reading);
   this->ExtractedMessage = reading.Message;
@@ -111,7 +117,7 @@ void vtkSpectralWatermarkDetect::ReadSolid(vtkPolyData* input, vtkTable* table)
   if (!wanted.empty())
   {
     this->CountErrors(wanted);
-    const std::string data = sw::DataOf(wanted, *key, sw::CarriersOf(*key, bits));
+    const std::string data = sw::DataOf(wanted, *key, sw::CheckBitsOf(bits));
     this->PValue = sw::PValueOf(reading, data);
     this->Judge(std::ldexp(1.0, -static_cast<int>(data.size())));
   }

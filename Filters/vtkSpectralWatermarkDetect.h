@@ -188,7 +188,7 @@ private:
   void ResetResults();
   std::string WantedMessage(const spectralwatermark::SecretKey* key);
   void ReadSlots(vtkPolyData* input, vtkTable* table);
-  void ReadSolid(vtkPolyData* input, vtkTable* table);
+  void ReadRobust(vtkPolyData* input, vtkTable* table);
   void CountErrors(const std::string& wanted);
   void Judge(double smallestPValue);
   void Compare(const std::vector<spectralwatermark::SlotReading>& readings,

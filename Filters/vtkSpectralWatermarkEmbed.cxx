@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpectralWatermarkEmbed.h"
 
-#include "Core/Distortion.h"
-#include "Core/Errors.h"
-#include "Core/IterativeEmbedding.h"
-#include "Core/SecretKey.h"
-#include "Core/SolidWatermark.h"
+#include "Core/Distortion/PointDifferences.h"
+#include "Core/Harmonics/LaplaceOperator.h"
+#include "Core/Mesh/Measures.h"
+#include "Core/Mesh/RoundTrip.h"
+#include "Core/PaperScheme/SlotEmbedding.h"
+#include "Core/PaperScheme/Slots.h"
+#include "Core/Payload/SecretKey.h"
+#include "Core/RobustScheme/Capacity.h"
+#include "Core/RobustScheme/RobustEmbedding.h"
+#include "Core/Support/Errors.h"
+#include "Core/Support/Progress.h"
 #include "Private/CarrierTable.h"
-#include "Private/FilterRun.h"
+#include "Private/FilterExecution.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
 #include "Private/Results.h"
@@ -51,7 +57,7 @@ namespace
 {
 
 // What a detector is given.
-sw::Storage StorageIn(vtkPolyData* input, const sw::PolyDataMesh& mesh, int precision)
+sw::RoundTrip RoundTripIn(vtkPolyData* input, const sw::PolyDataMesh& mesh, int precision)
 {
   return [input, &mesh, precision](const sw::TriangleMesh::PointMatrix& points)
   {
@@ -59,7 +65,7 @@ sw::Storage StorageIn(vtkPolyData* input, const sw::PolyDataMesh& mesh, int prec
     output->ShallowCopy(input);
     sw::SetPoints(output, input, mesh, points, precision);
     sw::PolyDataMesh read = sw::ToMesh(output);
-    sw::StoredMesh stored;
+    sw::RoundTripResult stored;
     stored.Mesh = std::move(read.Mesh);
     stored.Points = sw::PointsOf(output, mesh.PointOfVertex);
     stored.VertexOf.assign(mesh.PointOfVertex.size(), -1);
@@ -102,7 +108,7 @@ int vtkSpectralWatermarkEmbed::RequestData(vtkInformation*, vtkInformationVector
       vtkTable* table = vtkTable::GetData(outputs, 1);
       if (this->IsRobust())
       {
-        this->EmbedInSolid(input, output, table);
+        this->EmbedRobust(input, output, table);
       }
       else
       {
@@ -127,17 +133,17 @@ void vtkSpectralWatermarkEmbed::EmbedInSlots(vtkPolyData* input, vtkPolyData* ou
 {
   const sw::PolyDataMesh mesh = sw::ToMesh(input);
   const std::unique_ptr<sw::SecretKey> key = this->ReadSecretKey();
-  sw::EmbeddingOptions options;
+  sw::SlotEmbeddingOptions options;
   options.Message = this->WantedMessage(key.get());
   const auto bits = static_cast<sw::Index>(options.Message.size());
   options.Slots = this->GetSlotOptions(key.get(), bits);
   options.RequiredBits = this->RequiredBits;
   options.MaximumIterations = this->MaximumNumberOfIterations;
   options.Threads = sw::ThreadsOfVtk();
-  options.Store = StorageIn(input, mesh, this->OutputPointsPrecision);
+  options.Store = RoundTripIn(input, mesh, this->OutputPointsPrecision);
 
   const sw::Index needed = sw::ComponentsNeeded(options.Slots, bits);
-  const sw::EmbeddingResult result = sw::EmbedMessage(mesh.Mesh, options,
+  const sw::SlotEmbeddingResult result = sw::EmbedMessageInSlots(mesh.Mesh, options,
     sw::FindHarmonics(input, sw::DefaultBasisName, mesh, sw::MassMatrix::Lumped, needed),
     sw::ProgressOf(this));
 
@@ -150,12 +156,12 @@ void vtkSpectralWatermarkEmbed::EmbedInSlots(vtkPolyData* input, vtkPolyData* ou
   this->WarnUnlessConverged(options.Message);
 }
 
-void vtkSpectralWatermarkEmbed::EmbedInSolid(vtkPolyData* input, vtkPolyData* output,
+void vtkSpectralWatermarkEmbed::EmbedRobust(vtkPolyData* input, vtkPolyData* output,
   vtkTable* table)
 {
   const sw::PolyDataMesh mesh = sw::ToMesh(input);
   const std::unique_ptr<sw::SecretKey> key = this->ReadRobustKey();
-  sw::SolidEmbeddingOptions options;
+  sw::RobustEmbeddingOptions options;
   options.Message = this->WantedMessage(key.get());
   if (options.Message.empty())
   {
@@ -165,9 +171,9 @@ void vtkSpectralWatermarkEmbed::EmbedInSolid(vtkPolyData* input, vtkPolyData* ou
   }
   options.MaximumDistortion = this->MaximumDistortion / 100.0;
   options.Threads = sw::ThreadsOfVtk();
-  options.Store = StorageIn(input, mesh, this->OutputPointsPrecision);
+  options.Store = RoundTripIn(input, mesh, this->OutputPointsPrecision);
   const sw::Progress progress = sw::ProgressOf(this);
-  const sw::SolidEmbeddingResult result = sw::EmbedInSolid(mesh.Mesh, *key, options,
+  const sw::RobustEmbeddingResult result = sw::EmbedRobust(mesh.Mesh, *key, options,
     this->ReportCapacity ? progress.Part(0.0, 0.5) : progress);
   if (this->ReportCapacity)
   {

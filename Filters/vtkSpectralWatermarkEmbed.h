@@ -178,7 +178,7 @@ private:
 
   void ResetResults();
   void EmbedInSlots(vtkPolyData* input, vtkPolyData* output, vtkTable* table);
-  void EmbedInSolid(vtkPolyData* input, vtkPolyData* output, vtkTable* table);
+  void EmbedRobust(vtkPolyData* input, vtkPolyData* output, vtkTable* table);
   std::string WantedMessage(const spectralwatermark::SecretKey* key) const;
   void WarnUnlessConverged(const std::string& wanted);
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/BasisTransfer.h"
 
+#include "Core/Mesh/TriangleMesh.h"
+#include "Core/Support/Progress.h"
+
 #include "Private/ClosestPoints.h"
-#include "Private/FilterRun.h"
+#include "Private/FilterExecution.h"
 
 namespace spectralwatermark
 {

@@ -3,6 +3,8 @@
 #ifndef SpectralWatermark_Private_BasisTransfer_h
 #define SpectralWatermark_Private_BasisTransfer_h
 
+#include "Core/Mesh/TriangleMesh.h"
+
 #include "Private/PolyDataMesh.h"
 
 namespace spectralwatermark

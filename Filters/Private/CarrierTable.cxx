@@ -26,7 +26,7 @@ void AddColumn(vtkTable* table, const char* name, std::size_t rows, Function val
 
 } // namespace
 
-void FillRoundsTable(vtkTable* table, const std::vector<SolidEmbeddingRound>& rounds)
+void FillRoundsTable(vtkTable* table, const std::vector<RobustEmbeddingRound>& rounds)
 {
   AddColumn<vtkIntArray>(table, "Iteration", rounds.size(),
     [](std::size_t k) { return static_cast<int>(k); });
@@ -36,7 +36,7 @@ void FillRoundsTable(vtkTable* table, const std::vector<SolidEmbeddingRound>& ro
     [&rounds](std::size_t k) { return rounds[k].LargestError; });
 }
 
-void FillCarriersTable(vtkTable* table, const SolidReading& reading)
+void FillCarriersTable(vtkTable* table, const RobustReading& reading)
 {
   const auto rows = static_cast<std::size_t>(reading.Soft.size());
   AddColumn<vtkIntArray>(table, "Carrier", rows,

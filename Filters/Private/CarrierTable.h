@@ -3,8 +3,8 @@
 #ifndef SpectralWatermark_Private_CarrierTable_h
 #define SpectralWatermark_Private_CarrierTable_h
 
-#include "Core/SolidReader.h"
-#include "Core/SolidWatermark.h"
+#include "Core/RobustScheme/RobustReader.h"
+#include "Core/RobustScheme/SurfaceMotion.h"
 
 class vtkTable;
 
@@ -12,10 +12,10 @@ namespace spectralwatermark
 {
 
 /// A row per round: Iteration, Distortion (percent of the diagonal), LargestError (steps).
-void FillRoundsTable(vtkTable* table, const std::vector<SolidEmbeddingRound>& rounds);
+void FillRoundsTable(vtkTable* table, const std::vector<RobustEmbeddingRound>& rounds);
 
 /// A row per carrier: Carrier (1-based), Value, Margin, Bit.
-void FillCarriersTable(vtkTable* table, const SolidReading& reading);
+void FillCarriersTable(vtkTable* table, const RobustReading& reading);
 
 } // namespace spectralwatermark
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/ClosestPoints.h"
 
-#include "Core/Errors.h"
-#include "Core/Parallel.h"
+#include "Core/Support/Parallel.h"
 #include "Private/PolyDataMesh.h"
 
 #include <vtkDataSet.h>

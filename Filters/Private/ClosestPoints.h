@@ -3,8 +3,8 @@
 #ifndef SpectralWatermark_Private_ClosestPoints_h
 #define SpectralWatermark_Private_ClosestPoints_h
 
-#include "Core/Progress.h"
-#include "Core/TriangleMesh.h"
+#include "Core/Mesh/TriangleMesh.h"
+#include "Core/Support/Progress.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>

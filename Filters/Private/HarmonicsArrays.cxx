@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/HarmonicsArrays.h"
 
-#include "Core/Errors.h"
-#include "Private/FilterRun.h"
+#include "Core/Harmonics/Transform.h"
+#include "Private/FilterExecution.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>

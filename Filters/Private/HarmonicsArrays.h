@@ -3,7 +3,9 @@
 #ifndef SpectralWatermark_Private_HarmonicsArrays_h
 #define SpectralWatermark_Private_HarmonicsArrays_h
 
-#include "Core/ManifoldHarmonics.h"
+#include "Core/Harmonics/LaplaceOperator.h"
+#include "Core/Harmonics/ManifoldHarmonics.h"
+#include "Core/Support/Progress.h"
 #include "Private/PolyDataMesh.h"
 
 class vtkTable;

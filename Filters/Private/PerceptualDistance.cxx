@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/PerceptualDistance.h"
 
-#include "Core/StructuralDistortion.h"
+#include "Core/Distortion/BallNeighbourhood.h"
+#include "Core/Distortion/StructuralDistortion.h"
+#include "Core/Mesh/Measures.h"
+#include "Core/Support/Progress.h"
 
 namespace spectralwatermark
 {
@@ -19,7 +22,7 @@ struct Side
   {
   }
 
-  EdgesInBalls Balls;
+  BallNeighbourhood Balls;
   std::vector<SurfacePoint> Matches;
   Eigen::VectorXd Local;
 };

@@ -2,6 +2,8 @@
 #ifndef SpectralWatermark_Private_PerceptualDistance_h
 #define SpectralWatermark_Private_PerceptualDistance_h
 
+#include "Core/Support/Progress.h"
+
 #include "Private/ClosestPoints.h"
 
 namespace spectralwatermark

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/PolyDataMesh.h"
 
-#include "Core/Errors.h"
-#include "Core/MemoryLimit.h"
+#include "Core/Support/Errors.h"
+#include "Core/Support/MemoryBudget.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
@@ -265,7 +265,7 @@ PolyDataMesh ToMesh(vtkPolyData* input, CoincidentPoints coincident)
   PolyDataMesh result;
   result.VertexOfPoint.assign(static_cast<std::size_t>(pointCount), -1);
   const std::vector<vtkIdType> representative = coincident == CoincidentPoints::Merge
-    ? RepresentativeRows(PointsAt(input, used))
+    ? RepresentativeRows(CheckedPoints(input, used))
     : Identity(used.size());
   // Vertices are numbered in the order of their lowest points, whichever point represents them.
   std::vector<Index> vertexOfRow(used.size(), -1);
@@ -279,7 +279,7 @@ PolyDataMesh ToMesh(vtkPolyData* input, CoincidentPoints coincident)
     }
     result.VertexOfPoint[static_cast<std::size_t>(used[i])] = vertex;
   }
-  result.Mesh.Points = PointsAt(input, result.PointOfVertex);
+  result.Mesh.Points = CheckedPoints(input, result.PointOfVertex);
   result.Mesh.Triangles = ProperTriangles(triangles, result.VertexOfPoint);
   CheckSize(result.Mesh.Points);
   return result;
@@ -297,7 +297,7 @@ TriangleMesh::PointMatrix PointsOf(vtkPolyData* mesh, const std::vector<vtkIdTyp
   return points;
 }
 
-TriangleMesh::PointMatrix PointsAt(vtkPolyData* input, const std::vector<vtkIdType>& ids)
+TriangleMesh::PointMatrix CheckedPoints(vtkPolyData* input, const std::vector<vtkIdType>& ids)
 {
   TriangleMesh::PointMatrix points = PointsOf(input, ids);
   for (std::size_t i = 0; i < ids.size(); ++i)

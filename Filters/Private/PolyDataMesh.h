@@ -3,7 +3,7 @@
 #ifndef SpectralWatermark_Private_PolyDataMesh_h
 #define SpectralWatermark_Private_PolyDataMesh_h
 
-#include "Core/TriangleMesh.h"
+#include "Core/Mesh/TriangleMesh.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
@@ -61,7 +61,7 @@ TriangleMesh::PointMatrix PointsOf(vtkPolyData* mesh, const std::vector<vtkIdTyp
 
 /// The same of an input. Throws InvalidInput when one is
 /// not finite or beyond 1e50.
-TriangleMesh::PointMatrix PointsAt(vtkPolyData* input, const std::vector<vtkIdType>& ids);
+TriangleMesh::PointMatrix CheckedPoints(vtkPolyData* input, const std::vector<vtkIdType>& ids);
 
 } // namespace spectralwatermark
 

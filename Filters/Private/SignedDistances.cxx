@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/SignedDistances.h"
 
+#include "Core/Mesh/Measures.h"
+
 #include "Private/ClosestPoints.h"
 #include "Private/PolyDataMesh.h"
 

@@ -2,8 +2,8 @@
 #ifndef SpectralWatermark_Private_SignedDistances_h
 #define SpectralWatermark_Private_SignedDistances_h
 
-#include "Core/Progress.h"
-#include "Core/TriangleMesh.h"
+#include "Core/Mesh/TriangleMesh.h"
+#include "Core/Support/Progress.h"
 
 #include <vtkSmartPointer.h>
 

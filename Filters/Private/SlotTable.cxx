@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/SlotTable.h"
 
-#include "Core/Detection.h"
+#include "Core/PaperScheme/SlotDetection.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkIntArray.h>

@@ -3,7 +3,7 @@
 #ifndef SpectralWatermark_Private_SlotTable_h
 #define SpectralWatermark_Private_SlotTable_h
 
-#include "Core/SlotWatermark.h"
+#include "Core/PaperScheme/Slots.h"
 
 class vtkTable;
 

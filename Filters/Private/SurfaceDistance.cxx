@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/SurfaceDistance.h"
 
+#include "Core/Mesh/Measures.h"
+#include "Core/Support/Progress.h"
+
 #include <algorithm>
 #include <cmath>
 

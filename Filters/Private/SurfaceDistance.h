@@ -3,6 +3,9 @@
 #ifndef SpectralWatermark_Private_SurfaceDistance_h
 #define SpectralWatermark_Private_SurfaceDistance_h
 
+#include "Core/Mesh/TriangleMesh.h"
+#include "Core/Support/Progress.h"
+
 #include "Private/ClosestPoints.h"
 
 namespace spectralwatermark

@@ -2,7 +2,7 @@
 #ifndef SpectralWatermark_Benchmark_BenchmarkMesh_h
 #define SpectralWatermark_Benchmark_BenchmarkMesh_h
 
-#include "Core/TriangleMesh.h"
+#include "Core/Mesh/TriangleMesh.h"
 
 #include <vtkCellArray.h>
 #include <vtkLinearSubdivisionFilter.h>

@@ -9,9 +9,12 @@
 // with their check make 24. Prints the numbers of agreeing bits beside
 // those of the exact distribution, and the false positives beside theirs.
 #include "BenchmarkMesh.h"
-#include "Core/Detection.h"
-#include "Core/SolidReader.h"
-#include "Core/SolidWatermark.h"
+#include "Core/Payload/Bits.h"
+#include "Core/Payload/SecretKey.h"
+#include "Core/RobustScheme/CarrierSet.h"
+#include "Core/RobustScheme/RobustEmbedding.h"
+#include "Core/RobustScheme/RobustReader.h"
+#include "Core/Support/Progress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,19 +38,19 @@ using Counts = std::vector<double>; // of keys with 0, 1, ... agreeing bits
 
 sw::TriangleMesh MarkedByAnother(sw::TriangleMesh mesh)
 {
-  sw::SolidEmbeddingOptions options;
+  sw::RobustEmbeddingOptions options;
   options.Message = "1011001110001011";
   options.Threads = Threads;
   mesh.Points =
-    sw::EmbedInSolid(mesh, sw::SecretKey("another owner"), options, sw::Progress()).Points;
+    sw::EmbedRobust(mesh, sw::SecretKey("another owner"), options, sw::Progress()).Points;
   return mesh;
 }
 
 void Count(const sw::TriangleMesh& mesh, const sw::SecretKey& key, Counts& counts)
 {
-  const sw::SolidReading reading = sw::ReadSolid(mesh, key, MessageBits, Threads, sw::Progress());
+  const sw::RobustReading reading = sw::ReadRobust(mesh, key, MessageBits, Threads, sw::Progress());
   const std::string expected =
-    sw::DataOf(key.Message(MessageBits), key, sw::CarriersOf(key, MessageBits));
+    sw::DataOf(key.Message(MessageBits), key, sw::CheckBitsOf(MessageBits));
   counts[static_cast<std::size_t>(sw::CountAgreements(reading.Data, expected))] += 1.0;
 }
 

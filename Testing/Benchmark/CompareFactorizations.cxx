@@ -8,8 +8,9 @@
 // (CHOLMOD's supernodal one) is timed with a shift below it, which a solver with spectrum slicing
 // cannot do with.
 #include "BenchmarkMesh.h"
-#include "Core/LaplaceOperator.h"
-#include "Core/ShiftedFactorization.h"
+#include "Core/Harmonics/LaplaceOperator.h"
+#include "Core/LinearAlgebra/MultiVector.h"
+#include "Core/LinearAlgebra/ShiftedFactorization.h"
 
 #include <Eigen/SparseCholesky>
 
@@ -104,7 +105,7 @@ Candidate Ours(const sw::SparseMatrix& stiffness, const sw::SparseMatrix& mass, 
     [=]() { (*factorization)->Factorize(shift, threads); },
     [=](const Block& right) -> Block
     {
-      sw::Panels x = sw::ToPanels(right, (*factorization)->Order());
+      sw::MultiVector x = sw::ToMultiVector(right, (*factorization)->Order());
       (*factorization)->Solve(x[0], threads);
       return sw::TakeColumns(std::move(x), { 0, 1, 2, 3, 4, 5, 6, 7 }, (*factorization)->Order(),
         1);

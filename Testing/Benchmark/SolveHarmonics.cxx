@@ -11,9 +11,12 @@
 // --values     writes the eigenvalues, one a line
 // --warm       solves a slightly deformed mesh as well, from this one's basis and without it
 #include "BenchmarkMesh.h"
-#include "Core/BlockLanczosEigensolver.h"
-#include "Core/LaplaceOperator.h"
-#include "Core/SpectraEigensolver.h"
+#include "Core/Eigensolver/BlockLanczos.h"
+#include "Core/Eigensolver/Eigensolver.h"
+#include "Core/Eigensolver/Residuals.h"
+#include "Core/Eigensolver/SpectraSolver.h"
+#include "Core/Harmonics/LaplaceOperator.h"
+#include "Core/Support/Progress.h"
 
 #include <unsupported/Eigen/SparseExtra>
 
@@ -149,17 +152,17 @@ private:
 };
 
 sw::EigenPairs Solve(const Problem& problem, const Arguments& arguments,
-  const sw::HeadStart* nearby, double& seconds, Watch& watch)
+  const sw::WarmStart* nearby, double& seconds, Watch& watch)
 {
-  std::unique_ptr<sw::Eigensolver> solver = std::make_unique<sw::BlockLanczosEigensolver>();
+  std::unique_ptr<sw::Eigensolver> solver = std::make_unique<sw::BlockLanczosSolver>();
   if (arguments.Solver == "spectra")
   {
-    solver = std::make_unique<sw::SpectraEigensolver>();
+    solver = std::make_unique<sw::SpectraSolver>();
   }
   sw::EigensolverOptions options;
   options.Count = arguments.Harmonics;
   options.Threads = arguments.Threads;
-  options.Nearby = nearby;
+  options.InitialGuess = nearby;
   options.BandSize = arguments.Band;
   const double started = Now();
   sw::EigenPairs pairs = solver->Solve(problem.View(), options, sw::Progress(std::ref(watch)));
@@ -221,7 +224,7 @@ void PrintWarm(const sw::TriangleMesh& mesh, const sw::EigenPairs& pairs,
   const Arguments& arguments)
 {
   const Problem deformed(Deformed(mesh, pairs));
-  const sw::HeadStart nearby{ pairs.Values, &pairs.Vectors, pairs.Order };
+  const sw::WarmStart nearby{ pairs.Values, &pairs.Vectors, pairs.Order };
   double warm = 0.0;
   double cold = 0.0;
   Watch watch;

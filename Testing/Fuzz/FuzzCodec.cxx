@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Messages with their checks through the code and back, with as many wrong bits as it mends; soft bits
 // of any kind; secrets of any bytes.
-#include "Core/Errors.h"
-#include "Core/FrameAlignment.h"
-#include "Core/GolayCode.h"
-#include "Core/SecretKey.h"
-#include "Core/SolidWatermark.h"
+#include "Core/Payload/GolayCode.h"
+#include "Core/Payload/SecretKey.h"
+#include "Core/RobustScheme/CarrierSet.h"
+#include "Core/RobustScheme/FrameAlignment.h"
+#include "Core/Support/Errors.h"
 #include "Fuzz/Bytes.h"
 #include "Fuzz/Require.h"
 
@@ -23,9 +23,9 @@ bool IsBits(const std::string& text)
 }
 
 // As SolidEmbedding lays them out, without the waves, which take long and hold no bits.
-sw::Carriers Layout(sw::Index messageBits, sw::Index words)
+sw::CarrierSet Layout(sw::Index messageBits, sw::Index words)
 {
-  sw::Carriers carriers;
+  sw::CarrierSet carriers;
   carriers.MessageBits = messageBits;
   carriers.CheckBits = sw::GolayDataBits * words - messageBits;
   return carriers;
@@ -40,7 +40,7 @@ void CheckRoundTrip(fuzzing::Bytes& bytes)
   const std::string message = '1' + bytes.Bits(60);
   const auto bits = static_cast<sw::Index>(message.size());
   const sw::Index words = (bits + 20 + sw::GolayDataBits - 1) / sw::GolayDataBits;
-  const std::string data = sw::DataOf(message, key, Layout(bits, words));
+  const std::string data = sw::DataOf(message, key, Layout(bits, words).CheckBits);
   Require(IsBits(data) && static_cast<sw::Index>(data.size()) == sw::GolayDataBits * words,
     "data is not words of bits");
   const std::string code = sw::CodeOf(data);

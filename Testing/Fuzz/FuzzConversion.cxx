@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Any vtkPolyData into a mesh of the Core, and back.
-#include "Core/Errors.h"
+#include "Core/Mesh/TriangleMesh.h"
+#include "Core/Support/Errors.h"
 #include "Fuzz/RandomMesh.h"
 #include "Fuzz/Require.h"
 #include "Private/PolyDataMesh.h"

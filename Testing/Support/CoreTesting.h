@@ -3,7 +3,7 @@
 #ifndef SpectralWatermark_Testing_CoreTesting_h
 #define SpectralWatermark_Testing_CoreTesting_h
 
-#include "Core/Errors.h"
+#include "Core/Support/Errors.h"
 
 #include <gtest/gtest.h>
 

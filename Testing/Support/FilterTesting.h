@@ -3,6 +3,8 @@
 #ifndef SpectralWatermark_Testing_FilterTesting_h
 #define SpectralWatermark_Testing_FilterTesting_h
 
+#include "Core/Support/Progress.h"
+
 #include "Support/Shapes.h"
 
 #include <vtkSmartPointer.h>

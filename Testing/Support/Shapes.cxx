@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Mesh/TriangleMesh.h"
+
 #include "Support/Shapes.h"
 
 #include <Eigen/Geometry>

@@ -3,7 +3,7 @@
 #ifndef SpectralWatermark_Testing_Shapes_h
 #define SpectralWatermark_Testing_Shapes_h
 
-#include "Core/TriangleMesh.h"
+#include "Core/Mesh/TriangleMesh.h"
 
 #include <vector>
 

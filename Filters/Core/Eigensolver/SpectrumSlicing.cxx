@@ -1,0 +1,436 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Eigensolver/SpectrumSlicing.h"
+
+#include "Core/Eigensolver/Residuals.h"
+#include "Core/Support/Random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+
+namespace spectralwatermark
+{
+
+namespace
+{
+
+// Found beyond what a band must hold, so that a gap to cut at is among them: as many as the
+// largest multiplicity that symmetric models commonly show, and some.
+constexpr Index CutWindow = 12;
+
+// Two neighbouring eigenvalues are far enough apart to cut between them, relative to their size:
+// well over the rounding of a factorisation at the cut.
+constexpr double MinimalGap = 1e-7;
+
+constexpr int MaximumRepairs = 12;
+
+// An eigenvalue under 0 by this part of the largest is no rounding.
+constexpr double FarBelow = 1e-3;
+
+// How far the shift moves before another search, in local distances of eigenvalues.
+constexpr double ShiftStep = 0.37;
+
+// By Weyl's law, on a closed surface of area 1.
+constexpr double WeylSpacing = 4.0 * Pi;
+
+// The bands of one problem, from the smallest eigenvalue up.
+class BandSequence
+{
+public:
+  BandSequence(const EigenProblem& problem, const EigensolverOptions& options,
+    ShiftInvertSolver& solver)
+    : Problem(problem)
+    , Solver(solver)
+    , Wanted(std::min(options.Count, problem.Rank))
+    , BandSize(options.BandSize > 0 ? options.BandSize : solver.DefaultBandSize(this->Wanted))
+    , Tolerance(options.Tolerance)
+    , InitialGuess(options.InitialGuess)
+    , Threads(options.Threads)
+  {
+    const auto kernel = static_cast<std::size_t>(problem.Kernel.cols());
+    this->Append(
+      { std::vector<double>(kernel, 0.0), ToMultiVector(problem.Kernel, solver.Order()), true },
+      Progress());
+  }
+
+  bool Finished() const { return this->Found() >= this->Wanted; }
+  Index Found() const { return static_cast<Index>(this->Values.size()); }
+  double FractionDone() const
+  {
+    return static_cast<double>(std::min(this->Found(), this->Wanted)) /
+      static_cast<double>(this->Wanted);
+  }
+  Index Target() const { return std::min(this->Wanted - this->Found(), this->BandSize); }
+  double FractionAfterBand() const
+  {
+    return std::min(1.0,
+      static_cast<double>(this->Found() + this->Target()) / static_cast<double>(this->Wanted));
+  }
+
+  /// Appends the next band. False when its count could not be made right.
+  bool SolveBand(const Progress& progress);
+
+  /// What was found; the sequence is empty then.
+  EigenPairs TakeResult();
+
+  Index Bands = 0;
+
+private:
+  bool IsFirst() const { return this->Found() <= this->Problem.Kernel.cols(); }
+  double LocalSpacing() const;
+  double FirstReach() const;
+  void ChooseShift(const Progress& progress);
+  BlockVector Start() const;
+  MultiVector Locked(const Band& band) const;
+  void AddInInterval(Band found, Band& band) const;
+  bool Cut(Band& band, Index target, const Progress& progress);
+  bool IsNonsense(const Band& band) const;
+  void Append(Band band, const Progress& progress);
+  void ProjectOutKnown(MultiVector& vectors, const Progress& progress) const;
+
+  const EigenProblem& Problem;
+  ShiftInvertSolver& Solver;
+  Index Wanted;
+  Index BandSize;
+  double Tolerance;
+  const WarmStart* InitialGuess;
+  int Threads;
+  std::vector<double> Values; // what is known to be complete, up to LowerCut
+  MultiVector Vectors;        // each band begins with a block of its own
+  std::vector<Index> Column;  // of each value, in Vectors
+  std::size_t LastBand = 0;   // its first block
+  double LowerCut = -std::numeric_limits<double>::infinity();
+  double Shift = 0.0;
+  Index BelowShift = 0; // eigenvalues under Shift, by inertia
+};
+
+// V <- V R^-1 with V^T M V = R^T R, for vectors that nearly are orthonormal; columns of zeros stay.
+void OrthonormalizeBand(const SparseMatrix& mass, MultiVector& vectors, int threads)
+{
+  Eigen::MatrixXd gram = GramMatrix(mass, vectors, threads);
+  const Eigen::VectorXd norms = gram.diagonal();
+  gram.diagonal() = (norms.array() > 0.0).select(norms, 1.0);
+  const Eigen::MatrixXd inverse =
+    CholeskyOfGram(gram).matrixU().solve(Eigen::MatrixXd::Identity(gram.rows(), gram.cols()));
+  vectors = LinearCombination(vectors, inverse, threads);
+}
+
+// Mean distance of neighbouring eigenvalues, as far as what is known tells.
+double BandSequence::LocalSpacing() const
+{
+  if (this->IsFirst())
+  {
+    return WeylSpacing;
+  }
+  const std::size_t last = this->Values.size() - 1;
+  const std::size_t middle = (static_cast<std::size_t>(this->Problem.Kernel.cols()) + last) / 2;
+  return last > middle
+    ? (this->Values[last] - this->Values[middle]) / static_cast<double>(last - middle)
+    : this->Values[last] / static_cast<double>(last + 1);
+}
+
+// How far above the last cut half a band reaches, as far as one can tell.
+double BandSequence::FirstReach() const
+{
+  const Index middle = this->Found() + this->Target() / 2;
+  if (this->InitialGuess != nullptr && middle + 1 < this->InitialGuess->Values.size())
+  {
+    const double base = this->IsFirst() ? 0.0 : this->LowerCut;
+    const auto& values = this->InitialGuess->Values;
+    return std::max(WeylSpacing, 0.5 * (values[middle] + values[middle + 1]) - base);
+  }
+  return 0.5 * static_cast<double>(this->Target()) * this->LocalSpacing();
+}
+
+// A guess at the band's span: random combinations of the nearby problem's vectors there.
+BlockVector BandSequence::Start() const
+{
+  if (this->InitialGuess == nullptr)
+  {
+    return {};
+  }
+  const Index first = this->Found();
+  const Index count =
+    std::min(this->InitialGuess->Vectors->cols() - first, this->Target() + CutWindow);
+  if (count < BlockWidth)
+  {
+    return {};
+  }
+  Eigen::MatrixXd weights(count, BlockWidth);
+  for (Index k = 0; k < weights.size(); ++k)
+  {
+    weights.data()[k] = NormalRandom(1, static_cast<std::uint64_t>(k));
+  }
+  return ToMultiVector(this->InitialGuess->Vectors->middleCols(first, count) * weights,
+    this->Solver.Order())[0];
+}
+
+// Half a band above the last cut. A shift that is too far costs a Krylov space full of what is
+// known or not wanted yet; one that is too near makes it grow on one side only. The very first may
+// have to lie under the spectrum, by a twelfth of what Weyl's law gives for the first eigenvalue
+// of a sphere: S + M is then well conditioned and the factorisation a Cholesky.
+void BandSequence::ChooseShift(const Progress& progress)
+{
+  if (this->IsFirst() && !this->Solver.FirstShiftInside())
+  {
+    this->Shift = -1.0;
+    this->BelowShift = this->Solver.Factorize(this->Shift, progress);
+    return;
+  }
+  const double base = this->IsFirst() ? 0.0 : this->LowerCut;
+  const double half = 0.5 * static_cast<double>(this->Target());
+  double reach = this->FirstReach();
+  for (int attempt = 0; attempt < 8; ++attempt)
+  {
+    this->Shift = base + reach;
+    this->BelowShift = this->Solver.Factorize(this->Shift, progress);
+    const double between = static_cast<double>(this->BelowShift - this->Found());
+    const bool inMiddle =
+      between <= 4.0 / 3.0 * half + 2.0 && (between >= half / 3.0 - 2.0 || attempt >= 4);
+    if (inMiddle && this->Solver.IsAccurate())
+    {
+      break;
+    }
+    reach *= inMiddle ? 1.0 + ShiftStep / half : std::min(4.0, half / std::max(1.0, between));
+  }
+}
+
+// What a search must keep out of. Known bands are far from the shift as a rule, and what is found
+// of them again is left out; but a second search must not spend itself on the last one.
+MultiVector BandSequence::Locked(const Band& band) const
+{
+  MultiVector locked;
+  if (this->IsFirst() || !band.Vectors.empty())
+  {
+    locked.assign(this->Vectors.begin() + static_cast<std::ptrdiff_t>(this->LastBand),
+      this->Vectors.end());
+  }
+  locked.insert(locked.end(), band.Vectors.begin(), band.Vectors.end());
+  return locked;
+}
+
+// Keeps what lies above the lower cut: what is below is known already.
+void BandSequence::AddInInterval(Band found, Band& band) const
+{
+  band.Orthonormal = band.Values.empty() && found.Orthonormal;
+  std::vector<Index> columns;
+  std::vector<double> values;
+  MultiVector blocks;
+  for (Band* part : { &band, &found })
+  {
+    for (std::size_t k = 0; k < part->Values.size(); ++k)
+    {
+      columns.push_back(BlockWidth * static_cast<Index>(blocks.size()) + static_cast<Index>(k));
+      values.push_back(part->Values[k]);
+    }
+    std::move(part->Vectors.begin(), part->Vectors.end(), std::back_inserter(blocks));
+  }
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::stable_sort(order.begin(), order.end(),
+    [&values](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  band.Values.clear();
+  std::vector<Index> kept;
+  for (const std::size_t k : order)
+  {
+    if (values[k] > this->LowerCut)
+    {
+      band.Values.push_back(values[k]);
+      kept.push_back(columns[k]);
+    }
+  }
+  band.Vectors = SelectColumns(blocks, kept, this->Threads);
+  band.NextValue = std::isnan(found.NextValue) ? band.NextValue : found.NextValue;
+}
+
+// Cuts the band in its widest gap at or after `target` pairs and counts. True when the band
+// then holds every eigenvalue between the two cuts.
+bool BandSequence::Cut(Band& band, Index target, const Progress& progress)
+{
+  const Index size = static_cast<Index>(band.Values.size());
+  if (size < target)
+  {
+    return false;
+  }
+  if (this->Found() + size >= this->Problem.Rank)
+  {
+    // Everything there is: nothing above to cut from.
+    return this->Found() + size == this->Problem.Rank;
+  }
+  // A next value that a repair has overtaken gives no gap.
+  std::vector<double> values = band.Values;
+  values.push_back(band.NextValue);
+  Index cut = -1;
+  double widest = 0.0;
+  for (Index k = std::max<Index>(target, 1); k <= size; ++k)
+  {
+    const double gap =
+      values[static_cast<std::size_t>(k)] - values[static_cast<std::size_t>(k - 1)];
+    if (gap > widest)
+    {
+      widest = gap;
+      cut = k;
+    }
+  }
+  if (cut < 0 || widest < MinimalGap * values[static_cast<std::size_t>(cut)])
+  {
+    return false;
+  }
+  const double upperCut =
+    0.5 * (values[static_cast<std::size_t>(cut)] + values[static_cast<std::size_t>(cut - 1)]);
+  const Index below = this->Solver.Factorize(upperCut, progress);
+  if (below != this->Found() + cut)
+  {
+    return false;
+  }
+  band.Values.resize(static_cast<std::size_t>(cut));
+  this->LowerCut = upperCut;
+  return true;
+}
+
+// Eigenvectors of different bands are orthogonal but for what their residuals leave: one pass of
+// block Gram-Schmidt makes them so to the last digit.
+void BandSequence::ProjectOutKnown(MultiVector& vectors, const Progress& progress) const
+{
+  MultiVector product;
+  for (std::size_t first = 0; first < vectors.size(); first += BlocksAtOnce)
+  {
+    const std::size_t count = std::min(BlocksAtOnce, vectors.size() - first);
+    const Eigen::MatrixXd known = InnerProducts(this->Vectors, this->Solver.Mass(),
+      MultiVectorView(vectors.data() + first, count), product, this->Threads);
+    SubtractCombination(this->Vectors, known, vectors.data() + first, this->Threads);
+    progress.Report(static_cast<double>(first + count) / static_cast<double>(vectors.size()));
+  }
+}
+
+// The first of the band's vectors, as many as it has values.
+void BandSequence::Append(Band band, const Progress& progress)
+{
+  const std::size_t blocks = (band.Values.size() + BlockWidth - 1) / BlockWidth;
+  band.Vectors.resize(blocks);
+  if (blocks > 0)
+  {
+    BlockVector& last = band.Vectors.back();
+    last.rightCols(BlockWidth * static_cast<Index>(blocks) - static_cast<Index>(band.Values.size()))
+      .setZero();
+  }
+  this->ProjectOutKnown(band.Vectors, progress);
+  if (!band.Orthonormal)
+  {
+    OrthonormalizeBand(this->Solver.Mass(), band.Vectors, this->Threads);
+  }
+  this->LastBand = this->Vectors.size();
+  for (std::size_t k = 0; k < band.Values.size(); ++k)
+  {
+    this->Values.push_back(band.Values[k]);
+    this->Column.push_back(BlockWidth * static_cast<Index>(this->LastBand) + static_cast<Index>(k));
+  }
+  std::move(band.Vectors.begin(), band.Vectors.end(), std::back_inserter(this->Vectors));
+}
+
+// More values than there are, or one far below 0: where the mesh's numbers are all rounding, a search
+// finds anything. What is found stays, so no further search mends it.
+bool BandSequence::IsNonsense(const Band& band) const
+{
+  if (band.Values.empty())
+  {
+    return false;
+  }
+  const double largest = std::max(-band.Values.front(), band.Values.back());
+  return this->Found() + static_cast<Index>(band.Values.size()) > this->Problem.Rank ||
+    band.Values.front() < -FarBelow * largest;
+}
+
+bool BandSequence::SolveBand(const Progress& progress)
+{
+  ++this->Bands;
+  const Index target = this->Target();
+  this->ChooseShift(progress.Part(0.0, 0.0));
+  progress.Report(0.05);
+
+  const Index below = std::max<Index>(0, this->BelowShift - this->Found());
+  const Index above = std::max<Index>(1, target - below);
+  Band band;
+  for (int repair = 0; repair < MaximumRepairs; ++repair)
+  {
+    // Each search takes a part of what remains.
+    const double begin = repair == 0 ? 0.05 : 0.95 - 0.1 / repair;
+    const double end = 0.95 - 0.1 / (repair + 1);
+    if (repair > 0)
+    {
+      // What is missing may be so because the shift nearly hit an eigenvalue.
+      this->Shift += ShiftStep * this->LocalSpacing();
+      this->Solver.Factorize(this->Shift, progress.Part(begin, begin));
+    }
+    // Few are missing as a rule; a large cluster (many equal components) needs longer strides.
+    const Index missing = CutWindow << std::min(std::max(0, repair - 1), 4);
+    BandRequest request;
+    request.Below = repair == 0 ? below : 0;
+    request.Above = repair == 0 ? above : missing;
+    request.Window = repair == 0 ? CutWindow : 0;
+    request.AnySide = repair > 0;
+    request.Locked = this->Locked(band);
+    request.Start = repair == 0 ? this->Start() : BlockVector();
+    request.Tolerance = this->Tolerance;
+    request.Attempt = repair;
+    this->AddInInterval(this->Solver.FindNearest(std::move(request), progress.Part(begin, end)),
+      band);
+    if (this->Cut(band, target, progress.Part(end, end)))
+    {
+      this->Append(std::move(band), progress.Part(end, 1.0));
+      return true;
+    }
+    if (this->IsNonsense(band))
+    {
+      return false;
+    }
+  }
+  return false;
+}
+
+EigenPairs BandSequence::TakeResult()
+{
+  const Index count = std::min(this->Wanted, this->Found());
+  EigenPairs pairs;
+  pairs.Bands = this->Bands;
+  pairs.Values = Eigen::Map<const Eigen::VectorXd>(this->Values.data(), count);
+  Eigen::VectorXd values =
+    Eigen::VectorXd::Zero(BlockWidth * static_cast<Index>(this->Vectors.size()));
+  for (std::size_t k = 0; k < this->Values.size(); ++k)
+  {
+    values[this->Column[k]] = this->Values[k];
+  }
+  const Eigen::VectorXd residuals = MultiVectorResiduals(this->Solver.Stiffness(),
+    this->Solver.Mass(), values, this->Vectors, this->Threads);
+  const std::vector<Index> columns(this->Column.begin(), this->Column.begin() + count);
+  pairs.Residuals.resize(count);
+  for (Index k = 0; k < count; ++k)
+  {
+    pairs.Residuals[k] = residuals[columns[static_cast<std::size_t>(k)]];
+  }
+  pairs.Vectors =
+    TakeColumns(std::move(this->Vectors), columns, this->Solver.Order(), this->Threads);
+  return pairs;
+}
+
+} // namespace
+
+EigenPairs SolveBySlicing(const EigenProblem& problem, const EigensolverOptions& options,
+  ShiftInvertSolver& solver, const Progress& progress)
+{
+  BandSequence bands(problem, options, solver);
+  bool complete = true;
+  while (complete && !bands.Finished())
+  {
+    complete =
+      bands.SolveBand(progress.Part(0.95 * bands.FractionDone(), 0.95 * bands.FractionAfterBand()));
+  }
+  EigenPairs pairs = bands.TakeResult();
+  pairs.Complete = complete && pairs.Values.size() == options.Count;
+  progress.Report(1.0);
+  return pairs;
+}
+
+} // namespace spectralwatermark

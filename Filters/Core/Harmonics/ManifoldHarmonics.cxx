@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Harmonics/ManifoldHarmonics.h"
+
+#include "Core/Eigensolver/BlockLanczos.h"
+#include "Core/Eigensolver/DenseSolver.h"
+#include "Core/Eigensolver/Residuals.h"
+#include "Core/Eigensolver/SpectraSolver.h"
+#include "Core/Support/MemoryBudget.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace spectralwatermark
+{
+
+namespace
+{
+
+// Under this size a dense solver takes a fraction of a second, and Lanczos has no room.
+constexpr Index SmallProblem = 400;
+
+// Up to this size a dense solver is bearable where nothing else works: half a minute.
+constexpr Index MostDense = 2500;
+
+// Entries this close to the largest count as equal when the sign is chosen: the sign of a
+// symmetric harmonic then does not hang on rounding.
+constexpr double SignTie = 1e-6;
+
+// A foreign basis is taken when it satisfies the equation to this accuracy. Far above what
+// storage in double loses, far below what any change of shape worth the name causes.
+constexpr double AdoptionTolerance = 1e-6;
+
+// What a dense solver may be asked for by name: five such matrices take 4 GB.
+constexpr Index LargestDense = 10000;
+
+// Krylov spaces must not run out of vertices with mass, of which there are `rank`: a block's space
+// does so first. Where that could be, one vector at a time is safer and as fast; where there are
+// hardly more than harmonics wanted, only the dense solver is left.
+SolverChoice ChooseSolver(Index vertices, Index rank, Index wanted)
+{
+  const bool isTight = wanted > vertices / 2 || (rank < 4 * wanted + 100 && vertices <= MostDense);
+  if (vertices <= SmallProblem || isTight)
+  {
+    return SolverChoice::Dense;
+  }
+  return rank < 5 * wanted + 1000 ? SolverChoice::Spectra : SolverChoice::BlockLanczos;
+}
+
+std::unique_ptr<Eigensolver> CreateSolver(SolverChoice choice, Index vertices)
+{
+  switch (choice)
+  {
+    case SolverChoice::Spectra:
+      return std::make_unique<SpectraSolver>();
+    case SolverChoice::Dense:
+      if (vertices > LargestDense)
+      {
+        throw InvalidInput("the dense solver is for up to " + std::to_string(LargestDense) +
+          " vertices, and this mesh has " + std::to_string(vertices) +
+          ": leave the choice of the solver to the filter");
+      }
+      return std::make_unique<DenseSolver>();
+    default:
+      return std::make_unique<BlockLanczosSolver>();
+  }
+}
+
+void CheckCount(const HarmonicsOptions& options, Index available)
+{
+  if (options.Count < 1)
+  {
+    throw InvalidInput("at least one harmonic must be asked for");
+  }
+  if (options.Count > available)
+  {
+    throw InvalidInput(std::to_string(options.Count) +
+      " harmonics were asked for, but the mesh has " + std::to_string(available) +
+      " distinct vertices with area and no more harmonics than that: ask "
+      "for fewer, or subdivide the mesh");
+  }
+}
+
+// At the peak, as measured (Testing/Benchmark/scaling.csv, within 10 % from 35,000 vertices and 50
+// harmonics up): the factors and what makes them, for each harmonic its vector and the Lanczos vectors
+// of its band; of the dense solver, five matrices.
+double MemoryOf(SolverChoice choice, Index vertices, Index count)
+{
+  constexpr double factorsOfVertex = 3900.0;
+  constexpr double vectorsOfVertex = 17.0;
+  constexpr double matrices = 5.0 * sizeof(double);
+  const auto n = static_cast<double>(vertices);
+  if (choice == SolverChoice::Dense)
+  {
+    return matrices * n * n;
+  }
+  return n * (factorsOfVertex + vectorsOfVertex * static_cast<double>(count));
+}
+
+constexpr const char* FewerHarmonics =
+  "ask for fewer harmonics (or bits), or simplify the mesh first";
+
+double BytesOfBasis(Index vertices, Index count)
+{
+  return sizeof(double) * static_cast<double>(vertices * count);
+}
+
+std::string Work(Index vertices, Index count)
+{
+  return std::to_string(count) + " harmonics of " + std::to_string(vertices) + " vertices";
+}
+
+void RequireMemoryFor(SolverChoice choice, Index vertices, Index count, Index otherBases)
+{
+  RequireMemory(MemoryOf(choice, vertices, count) +
+      static_cast<double>(otherBases) * BytesOfBasis(vertices, count),
+    Work(vertices, count),
+    choice == SolverChoice::Dense ? "choose another solver, or simplify the mesh first"
+                                  : FewerHarmonics);
+}
+
+void FixSigns(Eigen::MatrixXd& basis)
+{
+  for (Index k = 0; k < basis.cols(); ++k)
+  {
+    const double threshold = (1.0 - SignTie) * basis.col(k).cwiseAbs().maxCoeff();
+    Index first = 0;
+    while (first < basis.rows() - 1 && std::abs(basis(first, k)) < threshold)
+    {
+      ++first;
+    }
+    if (basis(first, k) < 0.0)
+    {
+      basis.col(k) *= -1.0;
+    }
+  }
+}
+
+std::string Scientific(double value)
+{
+  std::ostringstream text;
+  text << std::scientific << std::setprecision(1) << value;
+  return text.str();
+}
+
+const char* SolverAdvice(const HarmonicsOptions& options)
+{
+  return options.Solver == SolverChoice::Automatic
+    ? ""
+    : "leave the choice of the solver to the filter, ";
+}
+
+void CheckConvergence(const EigenProblem& problem, const EigenPairs& pairs,
+  const HarmonicsOptions& options)
+{
+  if (!pairs.Complete)
+  {
+    throw SolverFailure("only " + std::to_string(pairs.Values.size()) + " of " +
+      std::to_string(options.Count) + " harmonics could be computed completely: " +
+      SolverAdvice(options) + "ask for fewer, or for another band size");
+  }
+  Index failed = 0;
+  for (Index k = 0; k < pairs.Values.size(); ++k)
+  {
+    if (pairs.Residuals[k] > options.Tolerance)
+    {
+      const double floor = ResidualFloors(problem.Stiffness, problem.Mass, 1.0,
+        pairs.Values.segment(k, 1), pairs.Vectors.col(k))[0];
+      failed += pairs.Residuals[k] > options.Tolerance + floor ? 1 : 0;
+    }
+  }
+  if (failed > 0)
+  {
+    throw SolverFailure(std::to_string(failed) + " of " + std::to_string(options.Count) +
+      " harmonics have a residual over the tolerance (largest " +
+      Scientific(pairs.Residuals.maxCoeff()) +
+      "): raise the tolerance, or remove the mesh's "
+      "thinnest triangles");
+  }
+}
+
+// Eigenvalues that repeat come in any order, by a rounding, and under 0, where none can be, for parts that
+// hang together by next to nothing. The kernel stays in front.
+void Sort(EigenPairs& pairs, Index kernel)
+{
+  pairs.Values = pairs.Values.cwiseMax(0.0).eval();
+  std::vector<Index> order(static_cast<std::size_t>(pairs.Values.size()));
+  std::iota(order.begin(), order.end(), Index{ 0 });
+  std::stable_sort(order.begin() + std::min(kernel, pairs.Values.size()), order.end(),
+    [&pairs](Index a, Index b) { return pairs.Values[a] < pairs.Values[b]; });
+  if (!std::is_sorted(order.begin(), order.end()))
+  {
+    pairs.Values = pairs.Values(order).eval();
+    pairs.Residuals = pairs.Residuals(order).eval();
+    pairs.Vectors = pairs.Vectors(Eigen::all, order).eval();
+  }
+}
+
+} // namespace
+
+void RequireMemoryForHarmonics(Index vertices, Index count, Index otherBases)
+{
+  RequireMemoryFor(ChooseSolver(vertices, vertices, count), vertices, count, otherBases);
+}
+
+ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
+  const HarmonicsOptions& options, const Progress& progress)
+{
+  progress.Report(0.0);
+  LaplaceOperator op = AssembleLaplaceOperator(mesh, options.Mass);
+  CheckCount(options, op.Rank);
+
+  // The solver sees a surface of area 1.
+  const double area = op.Area;
+  const SparseMatrix unitMass = op.Mass / area;
+  const Eigen::MatrixXd unitKernel = op.Kernel * std::sqrt(area);
+  const EigenProblem problem{ op.Stiffness, unitMass, unitKernel, op.Rank };
+  EigensolverOptions solverOptions;
+  solverOptions.Count = options.Count;
+  solverOptions.BandSize = options.BandSize;
+  solverOptions.Tolerance = options.Tolerance;
+  solverOptions.Threads = options.Threads;
+  WarmStart nearby;
+  if (options.InitialGuess != nullptr &&
+    options.InitialGuess->Basis.rows() == mesh.NumberOfVertices())
+  {
+    nearby.Values = options.InitialGuess->Eigenvalues * options.InitialGuess->VertexMass.sum();
+    nearby.Vectors = &options.InitialGuess->Basis;
+    nearby.Order = options.InitialGuess->Elimination;
+    solverOptions.InitialGuess = &nearby;
+  }
+  const SolverChoice choice = options.Solver == SolverChoice::Automatic
+    ? ChooseSolver(mesh.NumberOfVertices(), op.Rank, options.Count)
+    : options.Solver;
+  const std::unique_ptr<Eigensolver> solver = CreateSolver(choice, mesh.NumberOfVertices());
+  if (options.CheckMemory)
+  {
+    RequireMemoryFor(choice, mesh.NumberOfVertices(), options.Count, 0);
+  }
+  EigenPairs pairs = solver->Solve(problem, solverOptions, progress.Part(0.02, 0.98));
+  CheckConvergence(problem, pairs, options);
+  Sort(pairs, op.Kernel.cols());
+
+  ManifoldHarmonics harmonics;
+  harmonics.Eigenvalues = pairs.Values / area;
+  harmonics.Basis = std::move(pairs.Vectors);
+  harmonics.Basis /= std::sqrt(area);
+  FixSigns(harmonics.Basis);
+  harmonics.Residuals = std::move(pairs.Residuals);
+  harmonics.VertexMass = std::move(op.VertexMass);
+  harmonics.Mass.swap(op.Mass);
+  harmonics.KernelDimension = op.Kernel.cols();
+  harmonics.Elimination = std::move(pairs.Order);
+  harmonics.Complete = pairs.Complete;
+  progress.Report(1.0);
+  return harmonics;
+}
+
+void RequireMemoryToAdopt(Index vertices, Index count)
+{
+  constexpr double bases = 3.4; // at the peak, as measured: the copy, and what its checks multiply
+  RequireMemory(bases * BytesOfBasis(vertices, count), Work(vertices, count), FewerHarmonics);
+}
+
+std::optional<ManifoldHarmonics> AdoptManifoldHarmonics(const TriangleMesh& mesh, MassMatrix mass,
+  Eigen::VectorXd eigenvalues, Eigen::MatrixXd basis, const Eigen::VectorXd& vertexMass)
+{
+  if (basis.cols() != eigenvalues.size() || basis.rows() != mesh.NumberOfVertices() ||
+    vertexMass.size() != mesh.NumberOfVertices() || !basis.allFinite() || !eigenvalues.allFinite())
+  {
+    return std::nullopt;
+  }
+  LaplaceOperator op = AssembleLaplaceOperator(mesh, mass);
+  if (!((op.VertexMass - vertexMass).norm() <= AdoptionTolerance * op.VertexMass.norm()))
+  {
+    return std::nullopt;
+  }
+  Eigen::VectorXd residuals = RelativeResiduals(op.Stiffness, op.Mass, op.Area, eigenvalues, basis);
+  const Eigen::VectorXd norms = basis.cwiseProduct(op.Mass * basis).colwise().sum();
+  if (!(residuals.maxCoeff() <= AdoptionTolerance) ||
+    !((norms.array() - 1.0).abs().maxCoeff() <= AdoptionTolerance))
+  {
+    return std::nullopt;
+  }
+  ManifoldHarmonics harmonics;
+  harmonics.Eigenvalues = std::move(eigenvalues);
+  harmonics.Basis = std::move(basis);
+  harmonics.Residuals = std::move(residuals);
+  harmonics.VertexMass = std::move(op.VertexMass);
+  harmonics.Mass.swap(op.Mass);
+  harmonics.KernelDimension = op.Kernel.cols();
+  return harmonics;
+}
+
+} // namespace spectralwatermark

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/LinearAlgebra/MultifrontalLdlt.h"
+
+#include "Core/LinearAlgebra/FrontalKernels.h"
+#include "Core/Support/Parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace spectralwatermark
+{
+
+namespace
+{
+
+// Rows that are worked on as one task, and fronts that are large enough for several.
+constexpr Index RowsPerTask = 64;
+constexpr Index LargeFront = 256;
+
+} // namespace
+
+MultifrontalLdlt::MultifrontalLdlt(const SparseMatrix& pattern)
+  : Tree(FindSupernodes(pattern))
+  , Place(static_cast<std::size_t>(pattern.nonZeros()), -1)
+{
+  std::vector<int> rowInFront(static_cast<std::size_t>(pattern.cols()));
+  for (const Supernode& node : this->Tree.Nodes)
+  {
+    const auto place = [&rowInFront](int row, int at)
+    { rowInFront[static_cast<std::size_t>(row)] = at; };
+    for (int k = 0; k < node.Width; ++k)
+    {
+      place(node.First + k, k);
+    }
+    for (std::size_t k = 0; k < node.Below.size(); ++k)
+    {
+      place(node.Below[k], node.Width + static_cast<int>(k));
+    }
+    for (int j = node.First; j < node.First + node.Width; ++j)
+    {
+      for (int p = pattern.outerIndexPtr()[j]; p < pattern.outerIndexPtr()[j + 1]; ++p)
+      {
+        const int row = pattern.innerIndexPtr()[p];
+        if (row >= j)
+        {
+          this->Place[static_cast<std::size_t>(p)] = rowInFront[static_cast<std::size_t>(row)];
+        }
+      }
+    }
+  }
+}
+
+bool MultifrontalLdlt::Factorize(const SparseMatrix& matrix, int threads)
+{
+  this->L.resize(static_cast<Index>(this->Tree.Entries));
+  this->InverseD.resize(matrix.cols());
+  std::vector<Front> fronts(this->Tree.Nodes.size());
+  std::atomic<bool> sound{ true };
+  ForEachTask(threads, static_cast<Index>(this->Tree.Groups.size()),
+    [&](Index group)
+    {
+      for (const int s : this->Tree.Groups[static_cast<std::size_t>(group)])
+      {
+        if (!sound || !this->Eliminate(s, matrix, fronts, 1))
+        {
+          sound = false;
+          return;
+        }
+      }
+    });
+  for (const int s : this->Tree.Top)
+  {
+    sound = sound && this->Eliminate(s, matrix, fronts, threads);
+  }
+  return sound;
+}
+
+void MultifrontalLdlt::Assemble(const Supernode& node, const SparseMatrix& matrix,
+  std::vector<Front>& fronts, Front& front) const
+{
+  const Index height = node.Height();
+  // Eight more, so that a row can be worked on in eights from anywhere in it.
+  front.Stride = height + 7;
+  front.Values.assign(static_cast<std::size_t>(height * front.Stride), 0.0);
+  double* values = front.Values.data();
+  for (Index k = 0; k < node.Width; ++k)
+  {
+    const Index j = node.First + k;
+    for (int p = matrix.outerIndexPtr()[j]; p < matrix.outerIndexPtr()[j + 1]; ++p)
+    {
+      if (const int row = this->Place[static_cast<std::size_t>(p)]; row >= 0)
+      {
+        values[row * front.Stride + k] = matrix.valuePtr()[p];
+      }
+    }
+  }
+  for (const int c : node.Children)
+  {
+    const Supernode& child = this->Tree.Nodes[static_cast<std::size_t>(c)];
+    Front& update = fronts[static_cast<std::size_t>(c)];
+    AddFront(update.Values.data() + child.Width * (update.Stride + 1), update.Stride,
+      child.InParent.data(), static_cast<Index>(child.InParent.size()), values, front.Stride);
+    update = Front();
+  }
+}
+
+bool MultifrontalLdlt::Eliminate(int s, const SparseMatrix& matrix, std::vector<Front>& fronts,
+  int threads)
+{
+  const Supernode& node = this->Tree.Nodes[static_cast<std::size_t>(s)];
+  Front& front = fronts[static_cast<std::size_t>(s)];
+  this->Assemble(node, matrix, fronts, front);
+  const Index height = node.Height();
+  double* values = front.Values.data();
+  double* inverseD = this->InverseD.data() + node.First;
+  const int useful = height < LargeFront ? 1 : threads;
+  for (Index first = 0; first < node.Width; first += PivotsAtOnce)
+  {
+    const Index count = std::min<Index>(PivotsAtOnce, node.Width - first);
+    const Index next = first + count;
+    PivotBlock pivots;
+    if (!pivots.Factorize(values + first * (front.Stride + 1), front.Stride, count,
+          inverseD + first))
+    {
+      return false;
+    }
+    ForEachTask(useful, (height - next + RowsPerTask - 1) / RowsPerTask,
+      [&](Index task)
+      {
+        const Index begin = next + task * RowsPerTask;
+        pivots.SolveRows(values + begin * front.Stride + first, front.Stride,
+          std::min(RowsPerTask, height - begin));
+      });
+    ForEachTask(useful, (height - next + RowWidth - 1) / RowWidth,
+      [&](Index task)
+      {
+        const Index column = next + task * RowWidth;
+        pivots.SubtractProduct(values + column * front.Stride, front.Stride, first, column,
+          height - column);
+      });
+  }
+  double* l = this->L.data() + node.Offset;
+  for (Index i = 0; i < height; ++i)
+  {
+    std::copy_n(values + i * front.Stride, node.Width, l + i * node.Width);
+  }
+  return true;
+}
+
+void MultifrontalLdlt::Solve(BlockVector& x, int threads) const
+{
+  const auto groups = static_cast<Index>(this->Tree.Groups.size());
+  const auto factorOf = [this](const Supernode& node)
+  {
+    return SupernodeFactor{ this->L.data() + node.Offset, this->InverseD.data() + node.First,
+      node.Width, node.Below.data(), static_cast<Index>(node.TopBegin),
+      static_cast<Index>(node.Below.size()) };
+  };
+  MultiVector updates(this->Tree.Groups.size());
+  ForEachTask(threads, groups,
+    [&](Index k)
+    {
+      BlockVector& update = updates[static_cast<std::size_t>(k)];
+      update.setZero(this->Tree.TopRows, BlockWidth);
+      for (const int s : this->Tree.Groups[static_cast<std::size_t>(k)])
+      {
+        const Supernode& node = this->Tree.Nodes[static_cast<std::size_t>(s)];
+        SubstituteForward(factorOf(node), x.data() + BlockWidth * node.First, x.data(),
+          this->Tree.TopRow.data(), update.data());
+      }
+    });
+
+  for (const int s : this->Tree.Top)
+  {
+    const Supernode& node = this->Tree.Nodes[static_cast<std::size_t>(s)];
+    for (const BlockVector& update : updates)
+    {
+      x.middleRows(node.First, node.Width) +=
+        update.middleRows(this->Tree.TopRow[static_cast<std::size_t>(node.First)], node.Width);
+    }
+    // Nothing lies above the top.
+    SupernodeFactor factor = factorOf(node);
+    factor.TopBegin = factor.BelowCount;
+    SubstituteForward(factor, x.data() + BlockWidth * node.First, x.data(), nullptr, nullptr);
+  }
+  for (auto s = this->Tree.Top.rbegin(); s != this->Tree.Top.rend(); ++s)
+  {
+    const Supernode& node = this->Tree.Nodes[static_cast<std::size_t>(*s)];
+    SubstituteBack(factorOf(node), x.data() + BlockWidth * node.First, x.data());
+  }
+  ForEachTask(threads, groups,
+    [&](Index k)
+    {
+      const std::vector<int>& members = this->Tree.Groups[static_cast<std::size_t>(k)];
+      for (auto s = members.rbegin(); s != members.rend(); ++s)
+      {
+        const Supernode& node = this->Tree.Nodes[static_cast<std::size_t>(*s)];
+        SubstituteBack(factorOf(node), x.data() + BlockWidth * node.First, x.data());
+      }
+    });
+}
+
+} // namespace spectralwatermark

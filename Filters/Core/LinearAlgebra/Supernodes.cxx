@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/LinearAlgebra/Supernodes.h"
+
+#include "Core/Support/Types.h"
+
+#include <algorithm>
+#include <numeric>
+#include <queue>
+
+namespace spectralwatermark
+{
+
+namespace
+{
+
+// More than there are threads as a rule, so that they finish together; each costs a pass over the
+// rows above.
+constexpr std::size_t NumberOfGroups = 8;
+
+// A subtree of at most this part of all work is not divided further.
+constexpr double LargestSubtree = 1.0 / 8.0;
+
+// Supernodes up to this width are merged whatever zeros that brings: dense loops over a few columns
+// more cost less than another front.
+constexpr int AlwaysMerged = 8;
+
+// The share of zeros that wider ones may have.
+constexpr double ZerosAllowed = 0.08;
+
+struct EliminationTree
+{
+  std::vector<int> Parent; // -1 at a root
+  std::vector<int> Count;  // entries of each column of L, with the diagonal
+};
+
+// Row k of L has an entry in every column on the paths of the tree from the entries of row k of the
+// matrix up to k.
+EliminationTree BuildTree(const SparseMatrix& pattern)
+{
+  const auto size = static_cast<std::size_t>(pattern.cols());
+  EliminationTree tree{ std::vector<int>(size, -1), std::vector<int>(size, 1) };
+  std::vector<int> visited(size, -1);
+  for (int k = 0; k < pattern.cols(); ++k)
+  {
+    visited[static_cast<std::size_t>(k)] = k;
+    for (SparseMatrix::InnerIterator entry(pattern, k); entry && entry.row() < k; ++entry)
+    {
+      for (auto i = static_cast<std::size_t>(entry.row()); visited[i] != k;
+           i = static_cast<std::size_t>(tree.Parent[i]))
+      {
+        visited[i] = k;
+        ++tree.Count[i];
+        if (tree.Parent[i] < 0)
+        {
+          tree.Parent[i] = k;
+        }
+      }
+    }
+  }
+  return tree;
+}
+
+// The children of every node, and last the roots.
+std::vector<std::vector<int>> ChildrenOf(const EliminationTree& tree)
+{
+  std::vector<std::vector<int>> children(tree.Parent.size() + 1);
+  for (std::size_t j = 0; j < tree.Parent.size(); ++j)
+  {
+    const bool isRoot = tree.Parent[j] < 0;
+    children[isRoot ? tree.Parent.size() : static_cast<std::size_t>(tree.Parent[j])].push_back(
+      static_cast<int>(j));
+  }
+  for (std::vector<int>& siblings : children)
+  {
+    std::stable_sort(siblings.begin(), siblings.end(),
+      [&tree](int a, int b) {
+        return tree.Count[static_cast<std::size_t>(a)] < tree.Count[static_cast<std::size_t>(b)];
+      });
+  }
+  return children;
+}
+
+// Columns are one supernode as long as each has one row more than the next, which is its parent.
+std::vector<Supernode> FundamentalSupernodes(const EliminationTree& tree)
+{
+  std::vector<Supernode> nodes;
+  for (std::size_t j = 0; j < tree.Parent.size(); ++j)
+  {
+    const bool continues =
+      j > 0 && tree.Parent[j - 1] == static_cast<int>(j) && tree.Count[j - 1] == tree.Count[j] + 1;
+    if (!continues)
+    {
+      nodes.emplace_back();
+      nodes.back().First = static_cast<int>(j);
+    }
+    ++nodes.back().Width;
+  }
+  return nodes;
+}
+
+// Merges supernodes with the parent that they lie next to, where that brings few zeros.
+std::vector<Supernode> MergeSupernodes(const std::vector<Supernode>& nodes,
+  const EliminationTree& tree)
+{
+  std::vector<Supernode> merged;
+  std::vector<double> zeros; // of each
+  for (Supernode node : nodes)
+  {
+    const int below = tree.Count[static_cast<std::size_t>(node.First)] - node.Width;
+    double nodeZeros = 0.0;
+    while (!merged.empty())
+    {
+      const Supernode& child = merged.back();
+      const auto last = static_cast<std::size_t>(child.First + child.Width - 1);
+      const int parent = tree.Parent[last];
+      if (parent < node.First || parent >= node.First + node.Width)
+      {
+        break;
+      }
+      const int width = child.Width + node.Width;
+      const double more =
+        static_cast<double>(child.Width) * (node.Width + below + 1 - tree.Count[last]);
+      const double entries = static_cast<double>(width) * (below + 0.5 * width);
+      const double all = nodeZeros + zeros.back() + more;
+      if (width > AlwaysMerged && all > ZerosAllowed * entries)
+      {
+        break;
+      }
+      node.First = child.First;
+      node.Width = width;
+      nodeZeros = all;
+      merged.pop_back();
+      zeros.pop_back();
+    }
+    merged.push_back(std::move(node));
+    zeros.push_back(nodeZeros);
+  }
+  return merged;
+}
+
+// Rows below a supernode: those of its columns in the matrix, and those of its children.
+void FindRows(const SparseMatrix& pattern, std::vector<Supernode>& nodes)
+{
+  const auto size = static_cast<std::size_t>(pattern.cols());
+  std::vector<int> nodeOf(size);
+  std::vector<int> marked(size, -1);
+  std::vector<int> place(size);
+  for (std::size_t s = 0; s < nodes.size(); ++s)
+  {
+    std::fill_n(nodeOf.begin() + nodes[s].First, nodes[s].Width, static_cast<int>(s));
+  }
+  for (std::size_t s = 0; s < nodes.size(); ++s)
+  {
+    Supernode& node = nodes[s];
+    const int end = node.First + node.Width;
+    const auto add = [&](int row)
+    {
+      if (row >= end && marked[static_cast<std::size_t>(row)] != static_cast<int>(s))
+      {
+        marked[static_cast<std::size_t>(row)] = static_cast<int>(s);
+        node.Below.push_back(row);
+      }
+    };
+    for (int j = node.First; j < end; ++j)
+    {
+      for (SparseMatrix::InnerIterator entry(pattern, j); entry; ++entry)
+      {
+        add(static_cast<int>(entry.row()));
+      }
+    }
+    for (const int child : node.Children)
+    {
+      const std::vector<int>& rows = nodes[static_cast<std::size_t>(child)].Below;
+      std::for_each(rows.begin(), rows.end(), add);
+    }
+    std::sort(node.Below.begin(), node.Below.end());
+
+    std::iota(place.begin() + node.First, place.begin() + end, 0);
+    for (std::size_t k = 0; k < node.Below.size(); ++k)
+    {
+      place[static_cast<std::size_t>(node.Below[k])] = node.Width + static_cast<int>(k);
+    }
+    for (const int child : node.Children)
+    {
+      Supernode& below = nodes[static_cast<std::size_t>(child)];
+      below.InParent.resize(below.Below.size());
+      std::transform(below.Below.begin(), below.Below.end(), below.InParent.begin(),
+        [&place](int row) { return place[static_cast<std::size_t>(row)]; });
+    }
+    if (!node.Below.empty())
+    {
+      node.Parent = nodeOf[static_cast<std::size_t>(node.Below.front())];
+      nodes[static_cast<std::size_t>(node.Parent)].Children.push_back(static_cast<int>(s));
+    }
+  }
+}
+
+// Roots of disjoint subtrees, the heaviest first: from the whole tree down, the heaviest is divided
+// into its children until it is light enough.
+std::vector<int> DivideTree(const std::vector<Supernode>& nodes, const std::vector<double>& weight)
+{
+  const auto lighter = [&weight](int a, int b)
+  {
+    const double difference =
+      weight[static_cast<std::size_t>(a)] - weight[static_cast<std::size_t>(b)];
+    return difference < 0.0 || (difference == 0.0 && a > b);
+  };
+  std::priority_queue<int, std::vector<int>, decltype(lighter)> subtrees(lighter);
+  double total = 0.0;
+  for (std::size_t s = 0; s < nodes.size(); ++s)
+  {
+    if (nodes[s].Parent < 0)
+    {
+      subtrees.push(static_cast<int>(s));
+      total += weight[s];
+    }
+  }
+  while (
+    !subtrees.empty() && weight[static_cast<std::size_t>(subtrees.top())] > LargestSubtree * total)
+  {
+    const auto heaviest = static_cast<std::size_t>(subtrees.top());
+    subtrees.pop();
+    for (const int child : nodes[heaviest].Children)
+    {
+      subtrees.push(child);
+    }
+  }
+  std::vector<int> roots;
+  for (; !subtrees.empty(); subtrees.pop())
+  {
+    roots.push_back(subtrees.top());
+  }
+  return roots;
+}
+
+// Entries of L in the subtree of each supernode.
+std::vector<double> SubtreeWeights(const std::vector<Supernode>& nodes)
+{
+  std::vector<double> weight(nodes.size());
+  for (std::size_t s = 0; s < nodes.size(); ++s)
+  {
+    weight[s] += static_cast<double>(nodes[s].Height()) * nodes[s].Width;
+    if (nodes[s].Parent >= 0)
+    {
+      weight[static_cast<std::size_t>(nodes[s].Parent)] += weight[s];
+    }
+  }
+  return weight;
+}
+
+// A supernode belongs to the group of the subtree that it is in, or to the top.
+void FormGroups(SupernodeTree& tree)
+{
+  const std::vector<double> weight = SubtreeWeights(tree.Nodes);
+  std::vector<int> group(tree.Nodes.size(), -1);
+  std::vector<double> load(NumberOfGroups, 0.0);
+  for (const int root : DivideTree(tree.Nodes, weight))
+  {
+    const auto lightest = std::min_element(load.begin(), load.end());
+    *lightest += weight[static_cast<std::size_t>(root)];
+    group[static_cast<std::size_t>(root)] = static_cast<int>(lightest - load.begin());
+  }
+  tree.Groups.resize(NumberOfGroups);
+  for (std::size_t s = tree.Nodes.size(); s-- > 0;)
+  {
+    const int parent = tree.Nodes[s].Parent;
+    if (group[s] < 0 && parent >= 0)
+    {
+      group[s] = group[static_cast<std::size_t>(parent)];
+    }
+    (group[s] < 0 ? tree.Top : tree.Groups[static_cast<std::size_t>(group[s])])
+      .push_back(static_cast<int>(s));
+  }
+  std::reverse(tree.Top.begin(), tree.Top.end());
+  for (std::vector<int>& members : tree.Groups)
+  {
+    std::reverse(members.begin(), members.end());
+  }
+}
+
+void NumberTopRows(SupernodeTree& tree)
+{
+  for (const int s : tree.Top)
+  {
+    const Supernode& node = tree.Nodes[static_cast<std::size_t>(s)];
+    std::iota(tree.TopRow.begin() + node.First, tree.TopRow.begin() + node.First + node.Width,
+      tree.TopRows);
+    tree.TopRows += node.Width;
+  }
+  for (Supernode& node : tree.Nodes)
+  {
+    const auto firstInTop = std::find_if(node.Below.begin(), node.Below.end(),
+      [&tree](int row) { return tree.TopRow[static_cast<std::size_t>(row)] >= 0; });
+    node.TopBegin = static_cast<std::size_t>(firstInTop - node.Below.begin());
+  }
+}
+
+} // namespace
+
+Eigen::VectorXi Postorder(const SparseMatrix& pattern)
+{
+  const std::vector<std::vector<int>> children = ChildrenOf(BuildTree(pattern));
+  // From the last column backwards: a node, then its children from the last one on.
+  Eigen::VectorXi order(pattern.cols());
+  Index next = order.size();
+  std::vector<int> waiting = children.back();
+  while (!waiting.empty())
+  {
+    const int node = waiting.back();
+    waiting.pop_back();
+    order[--next] = node;
+    const std::vector<int>& own = children[static_cast<std::size_t>(node)];
+    waiting.insert(waiting.end(), own.begin(), own.end());
+  }
+  return order;
+}
+
+SupernodeTree FindSupernodes(const SparseMatrix& pattern)
+{
+  const EliminationTree columns = BuildTree(pattern);
+  SupernodeTree tree;
+  tree.Nodes = MergeSupernodes(FundamentalSupernodes(columns), columns);
+  FindRows(pattern, tree.Nodes);
+  for (Supernode& node : tree.Nodes)
+  {
+    node.Offset = tree.Entries;
+    tree.Entries += static_cast<std::size_t>(node.Height()) * static_cast<std::size_t>(node.Width);
+  }
+  FormGroups(tree);
+  tree.TopRow.assign(static_cast<std::size_t>(pattern.cols()), -1);
+  NumberTopRows(tree);
+  return tree;
+}
+
+} // namespace spectralwatermark

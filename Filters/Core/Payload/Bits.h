@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Messages: strings of the characters 0 and 1.
+#ifndef SpectralWatermark_Core_Payload_Bits_h
+#define SpectralWatermark_Core_Payload_Bits_h
+
+#include "Core/Support/Types.h"
+
+#include <string>
+
+namespace spectralwatermark
+{
+
+/// Throws InvalidInput unless the message is made of 0 and 1 only.
+void CheckMessage(const std::string& message);
+
+/// The number of positions where two messages of the same length agree.
+Index CountAgreements(const std::string& a, const std::string& b);
+
+} // namespace spectralwatermark
+
+#endif

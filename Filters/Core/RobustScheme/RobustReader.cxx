@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/RobustScheme/RobustReader.h"
+
+#include "Core/Mesh/Measures.h"
+#include "Core/Mesh/Orientation.h"
+#include "Core/Mesh/UmbrellaSmoothing.h"
+#include "Core/Payload/BitAgreement.h"
+#include "Core/RobustScheme/FrameAlignment.h"
+#include "Core/RobustScheme/SolidFrame.h"
+#include "Core/RobustScheme/SolidResponse.h"
+#include "Core/RobustScheme/SolidSpectrum.h"
+#include "Core/Support/Parallel.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace spectralwatermark
+{
+
+namespace
+{
+
+using Eigen::VectorXd;
+
+// Undone smoothings: 0, 5, ..., 60 iterations by the benchmark's factor.
+constexpr int SmoothingStride = 5;
+constexpr int NumberOfSmoothings = 13;
+constexpr double SmoothingFactor = 0.1;
+
+// How much undoing may add to the surface. What was smooth gains a little; noise soon grows over
+// everything.
+constexpr double MostArea = 2.0;
+
+// Skewness under which the signs of the axes are tried.
+constexpr double ClearSkewness = 0.05;
+
+// A mesh without the mark fits the code by about a half, and never as well as this: no need to try
+// anything else.
+constexpr double ClearFit = 0.8;
+
+// Of the work, for progress: the rest is alignment.
+constexpr double LooksPart = 0.7;
+
+// Sees the mesh in all ways that are to be tried, and keeps the reading that fits best.
+class Reader
+{
+public:
+  Reader(const TriangleMesh& mesh, const CarrierSet& carriers, int threads)
+    : Mesh(Oriented(mesh))
+    , Carrier(carriers)
+    , Threads(threads)
+    , Turns(FrameOf(this->Mesh).Clearness < ClearSkewness ? NumberOfTurns : 1)
+  {
+  }
+
+  RobustReading Run(const Progress& progress)
+  {
+    this->TryEverySmoothing(progress.Part(0.0, LooksPart));
+    if (this->Best.Fit < ClearFit)
+    {
+      this->AlignFrames(progress.Part(LooksPart, 1.0));
+    }
+    progress.Report(1.0);
+    return this->Best;
+  }
+
+private:
+  // The mesh in a frame, and the carriers' values there.
+  struct Sight
+  {
+    SolidView View;
+    VectorXd Values;
+  };
+
+  Sight See(const TriangleMesh& mesh, const SolidFrame& frame) const
+  {
+    SolidView view(mesh, frame);
+    VectorXd values = SolidSpectrum(view.Mesh, this->Carrier.Waves, this->Threads);
+    return { std::move(view), std::move(values) };
+  }
+
+  RobustReading ReadingOf(const ReadingHypothesis& hypothesis, const Alignment& aligned) const
+  {
+    RobustReading reading;
+    reading.Hypothesis = hypothesis;
+    reading.Values = aligned.Values;
+    reading.Soft = SoftBits(aligned.Values, this->Carrier, StepOfNumber(hypothesis.Step));
+    reading.Data = Decode(reading.Soft, reading.Fit);
+    reading.Fit -= aligned.Cost;
+    return reading;
+  }
+
+  // The best of all steps; `alignedFor` the step's number.
+  template <typename Function>
+  RobustReading BestStep(ReadingHypothesis hypothesis, const Function& alignedFor) const
+  {
+    std::vector<RobustReading> readings(NumberOfSteps);
+    ForEachTask(this->Threads, NumberOfSteps,
+      [&](Index number)
+      {
+        ReadingHypothesis tried = hypothesis;
+        tried.Step = static_cast<int>(number);
+        readings[static_cast<std::size_t>(number)] = this->ReadingOf(tried, alignedFor(tried.Step));
+      });
+    return *std::max_element(readings.begin(), readings.end(),
+      [](const RobustReading& a, const RobustReading& b) { return a.Fit < b.Fit; });
+  }
+
+  void Keep(RobustReading reading)
+  {
+    if (reading.Fit > this->Best.Fit)
+    {
+      this->Best = std::move(reading);
+    }
+  }
+
+  void TryEverySmoothing(const Progress& progress);
+  void AlignFrames(const Progress& progress);
+
+  TriangleMesh Mesh;
+  const CarrierSet& Carrier;
+  int Threads;
+  int Turns;
+  RobustReading Best;
+  std::optional<Sight> SeenBest; // what the best reading saw
+  std::vector<Sight> AsItIs;     // what was seen without undoing anything, a turn each
+};
+
+void Reader::TryEverySmoothing(const Progress& progress)
+{
+  const UmbrellaSmoothing smoothing(this->Mesh);
+  const double area = VertexAreas(this->Mesh).sum();
+  TriangleMesh sharper = this->Mesh;
+  for (int level = 0; level < NumberOfSmoothings && this->Best.Fit < ClearFit; ++level)
+  {
+    for (int k = 0; level > 0 && k < SmoothingStride; ++k)
+    {
+      sharper.Points = smoothing.Apply(sharper.Points, -SmoothingFactor);
+    }
+    const std::optional<SolidFrame> frame = FrameIfAny(sharper);
+    const bool hasGrown = level > 0 && !(VertexAreas(sharper).sum() < MostArea * area);
+    if (!frame || hasGrown)
+    {
+      return; // noise is over everything
+    }
+    for (int turn = 0; turn < this->Turns; ++turn)
+    {
+      Sight sight = this->See(sharper, RotatedByPi(*frame, turn));
+      RobustReading reading = this->BestStep({ level * SmoothingStride, turn, 0 },
+        [&sight](int /*step*/) {
+          return Alignment{ sight.Values, 0.0 };
+        });
+      if (level == 0)
+      {
+        this->AsItIs.push_back(sight);
+      }
+      if (reading.Fit > this->Best.Fit)
+      {
+        this->Best = std::move(reading);
+        this->SeenBest = std::move(sight);
+      }
+      progress.Report(
+        static_cast<double>(level * this->Turns + turn + 1) / (NumberOfSmoothings * this->Turns));
+    }
+  }
+}
+
+// Of the mesh as it is with every step, and of what fits best so far where something was undone.
+void Reader::AlignFrames(const Progress& progress)
+{
+  const auto responseOf = [this](const Sight& sight)
+  { return FrameResponse(sight.View.Mesh, sight.Values, this->Carrier, this->Threads); };
+  const ReadingHypothesis plain = this->Best.Hypothesis;
+  if (plain.Smoothing > 0)
+  {
+    this->Keep(this->ReadingOf(plain,
+      Align(this->SeenBest->Values, responseOf(*this->SeenBest), this->Carrier,
+        StepOfNumber(plain.Step))));
+  }
+  for (int turn = 0; turn < this->Turns; ++turn)
+  {
+    progress.Report((turn + 1.0) / (this->Turns + 1.0));
+    const Sight& sight = this->AsItIs[static_cast<std::size_t>(turn)];
+    const Eigen::MatrixXd response = responseOf(sight);
+    this->Keep(this->BestStep({ 0, turn, 0 },
+      [&](int step) { return Align(sight.Values, response, this->Carrier, StepOfNumber(step)); }));
+  }
+}
+
+} // namespace
+
+RobustReading ReadCarriers(const TriangleMesh& mesh, const CarrierSet& carriers, int threads,
+  const Progress& progress)
+{
+  return Reader(mesh, carriers, threads).Run(progress);
+}
+
+RobustReading ReadRobust(const TriangleMesh& mesh, const SecretKey& key, Index messageBits,
+  int threads, const Progress& progress)
+{
+  return ReadRobust(mesh, key, CarriersOf(key, messageBits), threads, progress);
+}
+
+RobustReading ReadRobust(const TriangleMesh& mesh, const SecretKey& key, const CarrierSet& carriers,
+  int threads, const Progress& progress)
+{
+  RobustReading reading = ReadCarriers(mesh, carriers, threads, progress);
+  reading.Message = reading.Data.substr(0, carriers.MessageBits);
+  reading.IsValid = reading.Data == DataOf(reading.Message, key, carriers.CheckBits);
+  return reading;
+}
+
+double PValueOf(const RobustReading& reading, const std::string& expectedData)
+{
+  return AgreementPValue(reading.Data, expectedData, UnmarkedModel());
+}
+
+} // namespace spectralwatermark

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Types and constants that every room uses.
+#ifndef SpectralWatermark_Core_Support_Types_h
+#define SpectralWatermark_Core_Support_Types_h
+
+#include <Eigen/SparseCore>
+
+namespace spectralwatermark
+{
+
+using Index = Eigen::Index;
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+constexpr double Pi = 3.14159265358979323846;
+
+} // namespace spectralwatermark
+
+#endif
