@@ -43,8 +43,10 @@ BlockKrylovSpace::BlockKrylovSpace(const ShiftedFactorization& factorization, Mu
   }
   if (!this->Begin(std::move(random)))
   {
-    throw SolverFailure("the mesh has too few vertices with area for this solver: leave its choice "
-                        "to the filter, ask for fewer harmonics, or remove triangles without area");
+    throw SolverFailure("the mesh has too few vertices with area for this solver",
+      "let the solver be chosen automatically, ask for fewer harmonics, or remove triangles "
+      "without "
+      "area");
   }
 }
 

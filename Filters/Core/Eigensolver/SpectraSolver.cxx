@@ -182,8 +182,8 @@ Band SpectraShiftInvert::FindNearest(BandRequest request, const Progress& progre
   }
   catch (const std::runtime_error& error)
   {
-    throw SolverFailure(std::string("the eigensolver gave up (") + error.what() +
-      "): remove the mesh's thinnest triangles, or ask for fewer harmonics");
+    throw SolverFailure(std::string("the eigensolver gave up (") + error.what() + ")",
+      "remove the mesh's thinnest triangles, or ask for fewer harmonics");
   }
 
   Band band;

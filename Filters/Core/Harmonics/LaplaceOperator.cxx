@@ -233,8 +233,10 @@ void CheckMatrixSize(Index vertices, Index triangles)
   constexpr Index most = std::numeric_limits<int>::max() / 12;
   if (std::max(vertices, triangles) > most)
   {
-    throw InvalidInput("the mesh has over " + std::to_string(most) +
-      " triangles or points, more than the matrices can index: simplify it first");
+    throw InvalidInput("",
+      "the mesh has over " + std::to_string(most) +
+        " triangles or points, more than the matrices can index",
+      "simplify it first");
   }
 }
 
@@ -257,8 +259,10 @@ LaplaceOperator AssembleLaplaceOperator(const TriangleMesh& mesh, MassMatrix kin
   const double totalArea = componentArea.sum();
   if (!(totalArea > 0.0) || !std::isfinite(totalArea))
   {
-    throw InvalidInput("every triangle has zero area (or an area beyond double precision): "
-                       "harmonics need a surface; check the mesh's scale and cells");
+    throw InvalidInput("",
+      "every triangle has zero area (or an area beyond double precision), and harmonics need a "
+      "surface",
+      "check the mesh's scale and cells");
   }
   const std::vector<Index> live = LiveComponents(componentOf, componentArea, totalArea);
   std::vector<char> isLive(static_cast<std::size_t>(n), 0);

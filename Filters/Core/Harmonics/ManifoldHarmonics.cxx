@@ -3,6 +3,7 @@
 
 #include "Core/Eigensolver/BlockLanczos.h"
 #include "Core/Eigensolver/DenseSolver.h"
+#include "Core/Eigensolver/Eigensolver.h"
 #include "Core/Eigensolver/Residuals.h"
 #include "Core/Eigensolver/SpectraSolver.h"
 #include "Core/Support/MemoryBudget.h"
@@ -62,9 +63,10 @@ std::unique_ptr<Eigensolver> CreateSolver(SolverChoice choice, Index vertices)
     case SolverChoice::Dense:
       if (vertices > LargestDense)
       {
-        throw InvalidInput("the dense solver is for up to " + std::to_string(LargestDense) +
-          " vertices, and this mesh has " + std::to_string(vertices) +
-          ": leave the choice of the solver to the filter");
+        throw InvalidInput("Solver",
+          "the dense solver is limited to " + std::to_string(LargestDense) +
+            " vertices, and this mesh has " + std::to_string(vertices),
+          "let the solver be chosen automatically");
       }
       return std::make_unique<DenseSolver>();
     default:
@@ -76,14 +78,14 @@ void CheckCount(const HarmonicsOptions& options, Index available)
 {
   if (options.Count < 1)
   {
-    throw InvalidInput("at least one harmonic must be asked for");
+    throw InvalidInput("Count", "no harmonic was requested", "ask for at least one");
   }
   if (options.Count > available)
   {
-    throw InvalidInput(std::to_string(options.Count) +
-      " harmonics were asked for, but the mesh has " + std::to_string(available) +
-      " distinct vertices with area and no more harmonics than that: ask "
-      "for fewer, or subdivide the mesh");
+    throw InvalidInput("Count",
+      std::to_string(options.Count) + " harmonics were requested, but the mesh has only " +
+        std::to_string(available) + " distinct vertices with area, and no more harmonics than that",
+      "ask for fewer, or subdivide the mesh");
   }
 }
 
@@ -149,11 +151,10 @@ std::string Scientific(double value)
   return text.str();
 }
 
-const char* SolverAdvice(const HarmonicsOptions& options)
+std::string SolverAdvice(const HarmonicsOptions& options)
 {
-  return options.Solver == SolverChoice::Automatic
-    ? ""
-    : "leave the choice of the solver to the filter, ";
+  return options.Solver == SolverChoice::Automatic ? ""
+                                                   : "let the solver be chosen automatically, ";
 }
 
 void CheckConvergence(const EigenProblem& problem, const EigenPairs& pairs,
@@ -162,7 +163,7 @@ void CheckConvergence(const EigenProblem& problem, const EigenPairs& pairs,
   if (!pairs.Complete)
   {
     throw SolverFailure("only " + std::to_string(pairs.Values.size()) + " of " +
-      std::to_string(options.Count) + " harmonics could be computed completely: " +
+        std::to_string(options.Count) + " harmonics could be computed completely",
       SolverAdvice(options) + "ask for fewer, or for another band size");
   }
   Index failed = 0;
@@ -178,10 +179,9 @@ void CheckConvergence(const EigenProblem& problem, const EigenPairs& pairs,
   if (failed > 0)
   {
     throw SolverFailure(std::to_string(failed) + " of " + std::to_string(options.Count) +
-      " harmonics have a residual over the tolerance (largest " +
-      Scientific(pairs.Residuals.maxCoeff()) +
-      "): raise the tolerance, or remove the mesh's "
-      "thinnest triangles");
+        " harmonics have a residual over the tolerance (largest " +
+        Scientific(pairs.Residuals.maxCoeff()) + ")",
+      "raise the tolerance, or remove the mesh's thinnest triangles");
   }
 }
 

@@ -2,7 +2,6 @@
 #include "Core/LinearAlgebra/FrontalKernels.h"
 
 #include "Core/LinearAlgebra/SimdRow.h"
-#include "Core/Support/Types.h"
 
 #include <algorithm>
 #include <cmath>

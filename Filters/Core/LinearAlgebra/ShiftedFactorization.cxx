@@ -26,7 +26,7 @@ Eigen::VectorXi NestedDissection(const SparseMatrix& pattern)
   Eigen::MetisOrdering<int>()(pattern, toOriginal);
   if (toOriginal.size() != pattern.rows())
   {
-    throw SolverFailure("METIS found no order for the elimination: is there enough memory?");
+    throw SolverFailure("METIS found no elimination order", "check that there is enough memory");
   }
   return toOriginal.indices();
 }

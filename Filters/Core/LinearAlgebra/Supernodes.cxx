@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/LinearAlgebra/Supernodes.h"
 
-#include "Core/Support/Types.h"
-
 #include <algorithm>
 #include <numeric>
 #include <queue>

@@ -41,9 +41,10 @@ auto ReadAfterRoundTrip(const Function& read)
   }
   catch (const InvalidInput& refusal)
   {
-    throw InvalidInput(
-      std::string("once marked and rounded as its points are stored, the mesh cannot be read: ") +
-      refusal.what() + ". Store double points, or move the model to the origin");
+    throw InvalidInput("",
+      "once marked and rounded as its points are stored, the mesh cannot be read: " +
+        refusal.Reason,
+      "store double points, or move the model to the origin");
   }
 }
 

@@ -165,7 +165,8 @@ double AvailableMemory()
 
 #endif
 
-void RequireMemory(double bytes, const std::string& work, const std::string& advice)
+void RequireMemory(double bytes, const std::string& work, const std::string& advice,
+  const std::string& parameter)
 {
   constexpr double always = 50e6; // not worth asking: about what a program starts with
   if (bytes <= always)
@@ -175,15 +176,17 @@ void RequireMemory(double bytes, const std::string& work, const std::string& adv
   const double available = AvailableMemory();
   if (bytes > available)
   {
-    throw InvalidInput(work + " need about " + Amount(bytes) + " of memory, and " +
-      Amount(available) + " are free: " + advice);
+    throw InvalidInput(parameter,
+      work + " need about " + Amount(bytes) + " of memory, and " + Amount(available) + " are free",
+      advice);
   }
 }
 
-void RequireMemoryForTriangles(Index triangles, double bytesOfTriangle, const std::string& advice)
+void RequireMemoryForTriangles(Index triangles, double bytesOfTriangle, const std::string& advice,
+  const std::string& parameter)
 {
   RequireMemory(bytesOfTriangle * static_cast<double>(triangles),
-    std::to_string(triangles) + " triangles", advice);
+    std::to_string(triangles) + " triangles", advice, parameter);
 }
 
 } // namespace spectralwatermark

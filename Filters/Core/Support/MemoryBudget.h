@@ -19,13 +19,14 @@ double AvailableMemory();
 /// What is left to the control groups of this process, of both versions; `root` stands for "/".
 double AvailableMemoryOfGroups(const std::string& root = "");
 
-/// Throws InvalidInput when `bytes` are more than that. `work` is what needs them, in the plural;
-/// `advice` is what the user can do.
-void RequireMemory(double bytes, const std::string& work, const std::string& advice);
+/// Throws InvalidInput when `bytes` are more than that. `work` is what needs them, in the plural; `advice` is
+/// what the user can do, about `parameter` if one decides.
+void RequireMemory(double bytes, const std::string& work, const std::string& advice,
+  const std::string& parameter = "");
 
 /// The same, where so many bytes are needed for each triangle.
 void RequireMemoryForTriangles(Index triangles, double bytesOfTriangle,
-  const std::string& advice = "simplify the mesh first");
+  const std::string& advice = "simplify the mesh first", const std::string& parameter = "");
 
 } // namespace spectralwatermark
 
