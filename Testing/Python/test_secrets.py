@@ -154,7 +154,7 @@ class SecretsTest(unittest.TestCase):
 
     @staticmethod
     def arguments_below(program):
-        """The program's and those of all that it starts, each with its process: every user of the machine can see them."""
+        """Each process of the program with its arguments, which every user of the machine can see."""
         seen = set()
         while program.poll() is None:
             pids = [program.pid]
