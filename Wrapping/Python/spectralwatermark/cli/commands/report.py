@@ -9,6 +9,7 @@ from spectralwatermark import vtkSpectralWatermarkDetect
 from spectralwatermark.io import check_writable
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
+from ..output import UserError
 from ..tasks import Report
 from .detect import check_provable, detector
 from .filters import FilterRunner, read_valid_mesh
@@ -24,7 +25,10 @@ class Result(TypedDict):
 
 def run(task: Report, filters: FilterRunner) -> Result:
     check_writable(task.output)
-    from spectralwatermark.report import write_report  # importing it needs a display
+    try:  # not above: this loads the libraries that draw
+        from spectralwatermark.report import write_report
+    except ModuleNotFoundError as error:
+        raise UserError(str(error)) from None
 
     def update(algorithm: vtkAlgorithm, what: str) -> None:
         filters.update(algorithm, what)
