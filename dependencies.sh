@@ -20,7 +20,7 @@ install_missing() {
   local root=()
   if [ "$(id -u)" -ne 0 ]; then
     if ! command -v sudo >/dev/null; then
-      echo "These packages are missing, and neither root nor sudo is at hand to install them:" >&2
+      echo "These packages are missing, and there is neither root nor sudo to install them:" >&2
       echo "  apt-get install --no-install-recommends ${missing[*]}" >&2
       return 1
     fi

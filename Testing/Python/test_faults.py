@@ -218,8 +218,8 @@ class MemoryTest(InFolder):
 
         done = self.run_in_folder(*self.command("attack", "model.ply", "out.ply", "--isosurface", 1024),
                                   preexec_fn=limit)
-        self.assert_refused(done, "1024 steps along the longest side need about ", " of memory, and ",
-                            " are free: lower --isosurface")
+        self.assert_refused(done, "model.ply: --isosurface: ", "1024 steps along the longest side need about ",
+                            " of memory, and ", " are free; ")
         self.assertNotIn("out.ply", self.files())
 
     def test_a_file_larger_than_memory_is_not_read(self):
