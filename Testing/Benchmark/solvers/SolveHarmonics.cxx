@@ -10,7 +10,7 @@
 // --matrices   writes stiffness.mtx and mass.mtx (Matrix Market), for other programs to solve
 // --values     writes the eigenvalues, one a line
 // --warm       solves a slightly deformed mesh as well, from this one's basis and without it
-#include "BenchmarkMesh.h"
+#include "Benchmark/BenchmarkMesh.h"
 #include "Core/BlockLanczosEigensolver.h"
 #include "Core/LaplaceOperator.h"
 #include "Core/SpectraEigensolver.h"

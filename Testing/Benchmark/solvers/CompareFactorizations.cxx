@@ -7,7 +7,7 @@
 // The shift lies inside the spectrum, so the matrix is indefinite: a Cholesky factorisation
 // (CHOLMOD's supernodal one) is timed with a shift below it, which a solver with spectrum slicing
 // cannot do with.
-#include "BenchmarkMesh.h"
+#include "Benchmark/BenchmarkMesh.h"
 #include "Core/LaplaceOperator.h"
 #include "Core/ShiftedFactorization.h"
 

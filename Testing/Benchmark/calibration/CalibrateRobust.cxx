@@ -8,7 +8,7 @@
 // KEYS for each mesh, half of them on the mesh as it is, half on it marked. Messages have 4 bits, which
 // with their check make 24. Prints the numbers of agreeing bits beside
 // those of the exact distribution, and the false positives beside theirs.
-#include "BenchmarkMesh.h"
+#include "Benchmark/BenchmarkMesh.h"
 #include "Core/Detection.h"
 #include "Core/SolidReader.h"
 #include "Core/SolidWatermark.h"

@@ -244,7 +244,7 @@ def _again(run: Run) -> str:
     quick = " --quick" if run.plan.quick else ""
     return f"""
 <h2 id="again">Run it again</h2>
-<p><code>Examples/Python/reproduce_paper.py{quick}</code>, see its <code>--help</code>. Messages,
+<p><code>Examples/Reproduction/reproduce_paper.py{quick}</code>, see its <code>--help</code>. Messages,
 noise and keys are seeded: the numbers are the same in every run and with any number of processes,
 save for the times. Every single experiment is a line of <a href="{CACHE}">{CACHE}</a>, so that an
 interrupted run goes on where it was.</p>{builds}"""

@@ -2,7 +2,7 @@
 """What an opponent who knows the method can do: marks over marks, averages of marked copies, and keys that are
 tried on a mesh without a mark.
 
-    PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 Testing/Benchmark/threats.py MESH...
+    PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 Testing/Benchmark/threats/threats.py MESH...
 
 Prints, for each case, on how many of the meshes each party's mark is still found (at one in a million), and the
 smallest and largest p-value among them. Figures are quoted in Filters/ThreatModel.md.

@@ -7,9 +7,9 @@ Ours (block Lanczos) and Spectra, both by the program SolveHarmonics of the test
 the same tolerance. Runs of all solvers take turns, each in a process of its own; what is quoted are
 medians of the solve, without reading or assembling anything.
 
-    /usr/bin/python3 Testing/Benchmark/compare_solvers.py compare bunny --harmonics 100 300
+    /usr/bin/python3 Testing/Benchmark/solvers/compare_solvers.py compare bunny --harmonics 100 300
     xvfb-run -s "-screen 0 1280x1024x24 -noreset" \\
-        /usr/bin/python3 Testing/Benchmark/compare_solvers.py scale --output scaling
+        /usr/bin/python3 Testing/Benchmark/solvers/compare_solvers.py scale --output scaling
 
 Debian's packages python3-scipy, python3-slepc4py and python3-numpy. Where SLEPc is installed but not
 found, set SLEPC_DIR and PETSC_DIR to their folders under /usr/lib/slepcdir and /usr/lib/petscdir.
@@ -33,7 +33,7 @@ from pathlib import Path
 
 import numpy as np
 
-SOURCE = Path(__file__).resolve().parents[2]
+SOURCE = Path(__file__).resolve().parents[3]
 TOLERANCE = 1e-9  # of eigsh and SLEPc: as good residuals as ours in practice
 AGREEMENT = 1e-8  # of eigenvalues, relative to the largest of both and 1
 LARGEST_RESIDUAL = 1e-8  # and what rounding leaves on slivers, as SolveHarmonics bounds it
