@@ -52,6 +52,8 @@ def run(request: dict, show: Show) -> dict:
     except FilterError as error:
         files = " and ".join(request[name] for name in ("input", "other", "marked") if name in request)
         return {"file": request["input"], "error": f"{files}: {_in_options(str(error))}"}
+    except ModuleNotFoundError as error:  # names the package to install
+        return {"file": request["input"], "error": str(error)}
     except Exception as error:  # noqa: BLE001 - one file must not end the run, nor look like "not found"
         return {"file": request["input"],
                 "error": f"{request['input']}: {type(error).__name__}: {error}; please report this"}
