@@ -2,17 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Times eigensolvers on the same matrices, side by side, and checks that they agree.
 
-Ours (block Lanczos) and Spectra, both by the program SolveHarmonics of the test build; SciPy's eigsh
-(ARPACK, SuperLU) and, where they are installed, SLEPc's Krylov-Schur with MUMPS: all shift-invert, to
-the same tolerance. Runs of all solvers take turns, each in a process of its own; what is quoted are
-medians of the solve, without reading or assembling anything.
+The program SolveHarmonics of the test build runs our block Lanczos solver and Spectra. SciPy's eigsh
+(ARPACK, SuperLU) and, where they are installed, SLEPc's Krylov-Schur with MUMPS run here. All use
+shift-invert to the same tolerance. The solvers take turns, each run in a process of its own. Times are
+medians of the solve alone, without reading or assembling anything.
 
     /usr/bin/python3 Testing/Benchmark/solvers/compare_solvers.py compare bunny --harmonics 100 300
-    xvfb-run -s "-screen 0 1280x1024x24 -noreset" \\
+    PYTHONPATH=build/lib/python3/dist-packages \\
         /usr/bin/python3 Testing/Benchmark/solvers/compare_solvers.py scale --output scaling
 
-Debian's packages python3-scipy, python3-slepc4py and python3-numpy. Where SLEPc is installed but not
-found, set SLEPC_DIR and PETSC_DIR to their folders under /usr/lib/slepcdir and /usr/lib/petscdir.
+Needs Debian's packages python3-scipy, python3-slepc4py and python3-numpy; the charts of "scale" need
+python3-matplotlib and python3-jinja2. Where SLEPc is installed but not found, set SLEPC_DIR and PETSC_DIR to their folders under /usr/lib/slepcdir and /usr/lib/petscdir.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ from pathlib import Path
 import numpy as np
 
 SOURCE = Path(__file__).resolve().parents[3]
-TOLERANCE = 1e-9  # of eigsh and SLEPc: as good residuals as ours in practice
-AGREEMENT = 1e-8  # of eigenvalues, relative to the largest of both and 1
-LARGEST_RESIDUAL = 1e-8  # and what rounding leaves on slivers, as SolveHarmonics bounds it
+TOLERANCE = 1e-9  # for eigsh and SLEPc: gives residuals as small as ours in practice
+AGREEMENT = 1e-8  # largest difference of eigenvalues, relative to the reference or to 1
+LARGEST_RESIDUAL = 1e-8  # apart from the rounding on slivers, which SolveHarmonics bounds
 SHIFT = -1.0  # a surface of area 1 has its first eigenvalue near 12
 
 NAMES = {
@@ -147,7 +147,7 @@ class Bench:
                            "--threads", str(self.threads), *options])
 
     def solve(self, solver: str, mesh: str, count: int) -> dict:
-        """A run with its eigenvalues."""
+        """The result of a run, with its eigenvalues."""
         values = self.work / "values.txt"
         if solver in ("block-lanczos", "spectra"):
             result = self.ours(mesh, count, "--solver", solver, "--values", str(values))
@@ -244,17 +244,16 @@ def scale(bench: Bench, folder: Path, runs: int) -> None:
 
 
 def draw(path: Path, rows: Sequence[dict], axis: str, title: str) -> None:
-    """Time against one of the two, both axes logarithmic."""
-    from spectralwatermark import pictures
+    """Draws time against vertices or harmonics, both axes logarithmic."""
+    from spectralwatermark.report.charts import chart
 
-    table = pictures.table_of(
-        **{name: [float(row[name]) for row in rows] for name in (axis, "seconds")})
-    grown = exponent((row[axis] for row in rows), (row["seconds"] for row in rows))
-    pictures.write_chart(
-        path,
-        [pictures.Curve(table, axis, "seconds", f"on the whole, {axis}^{grown:.2f}", "SteelBlue"),
-         pictures.Curve(table, axis, "seconds", "measured", "Firebrick", markers_only=True)],
-        title, (axis, "seconds"), logarithmic=True, logarithmic_x=True)
+    x, seconds = (np.array([float(row[name]) for row in rows]) for name in (axis, "seconds"))
+    slope, offset = np.polyfit(np.log(x), np.log(seconds), 1)
+    with chart(path, title, axis, "seconds") as axes:
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        axes.plot(x, seconds, "o-", color="steelblue", label="measured")
+        axes.plot(x, np.exp(offset) * x**slope, "--", color="0.5", label=f"fit: {axis}$^{{{slope:.2f}}}$")
 
 
 def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What an opponent who knows the method can do: marks over marks, averages of marked copies, and keys that are
-tried on a mesh without a mark.
+"""Measures what an opponent who knows the method can do: add marks, average marked copies, and try keys on a mesh
+without a mark.
 
     PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 Testing/Benchmark/threats/threats.py MESH...
 
-Prints, for each case, on how many of the meshes each party's mark is still found (at one in a million), and the
-smallest and largest p-value among them. Figures are quoted in Filters/ThreatModel.md.
+For each case, prints the number of meshes on which each party's mark is found (at one in a million), and the smallest
+and largest p-value. Filters/ThreatModel.md quotes the figures.
 """
 
 import sys
@@ -56,7 +56,7 @@ def average(meshes):
 
 
 def cases(original):
-    """Names of cases with the parties' p-values."""
+    """Yields the name of each case with the p-value of each party."""
     yield f"no mark, best of {GUESSES} keys", {
         "who searches": min(p_value(original, f"guess {k}") for k in range(GUESSES))}
     first = marked(original, "owner")
