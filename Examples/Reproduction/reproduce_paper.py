@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reproduces the whole paper and lays it beside its tables and figures: one command, one page.
+"""Reproduces every table and figure of the paper and shows them next to the original on one page.
 
 Marks every mesh of a folder in the paper's four modes, attacks the marks, measures distortion, time
-and what the detector's certainties are worth, draws the figures, and says where the numbers differ
-from those that the paper prints. Leaves a folder with index.html, pictures (PNG) and tables (CSV).
+and the reliability of the detector's p-values, draws the figures, and lists where the numbers
+differ from those of the paper. The output folder gets index.html, pictures (PNG) and tables (CSV).
 """
 
 from __future__ import annotations
@@ -19,18 +19,18 @@ from pathlib import Path
 EXAMPLES = """examples:
   reproduce_paper.py --quick          three small meshes, two messages: a minute or two
   reproduce_paper.py                  everything: some 50 minutes on 2 cores for 15 scans with
-                                      490,000 vertices; interrupt it at will, the next run goes
-                                      on from there
+                                      490,000 vertices; after an interruption the next run
+                                      resumes
   reproduce_paper.py --meshes scans   the PLY meshes of your own folder
 
 Needs the package spectralwatermark (PYTHONPATH=build/lib/python3/dist-packages after a build),
-python3-numpy and python3-tqdm, and a display or Debian's xvfb for the pictures.
-Exit code 0: the page is complete; 2: an error, told in one line.
+python3-numpy, python3-tqdm, python3-jinja2 and python3-matplotlib, and a display or Debian's xvfb
+for the pictures of meshes. Exit code 0: the page is complete; 2: an error, reported in one line.
 """
 
 
 class UserError(Exception):
-    """Something that the user can mend; its text is all they need."""
+    """An error that the user can fix; its text says how."""
 
 
 def main() -> int:
@@ -43,7 +43,7 @@ def main() -> int:
     except OSError as error:
         print(f"error: {error.filename or 'files'}: {error.strerror}", file=sys.stderr)
     except KeyboardInterrupt:
-        print("\nerror: interrupted; run again to go on from here", file=sys.stderr)
+        print("\nerror: interrupted; run again to resume", file=sys.stderr)
     return 2
 
 
@@ -56,18 +56,19 @@ def parse_arguments() -> argparse.Namespace:
              "else ../shared/meshes beside the source tree; if there is none, Data/pebble.ply)")
     parser.add_argument(
         "--output", type=Path, metavar="DIR", default=Path("paper-reproduction"),
-        help="folder for the page; only files that this program writes are replaced (default: "
+        help="folder for the page; replaces only files that this program writes (default: "
              "%(default)s)")
     parser.add_argument(
         "--quick", action="store_true",
         help="the same page from the smallest meshes, two messages and fewer attacks")
     parser.add_argument(
         "--fresh", action="store_true",
-        help="compute everything again; otherwise results that the output folder holds are used, "
-             "as long as mesh files have kept name and size. Needed after a change of the filters")
+        help="compute everything again; without it, results in the output folder are reused for "
+             "mesh files of the same name and size. Needed after a change of the filters")
     parser.add_argument(
         "--jobs", type=int, metavar="N", default=os.cpu_count() or 1,
-        help="processes at a time (default: %(default)s, the processors). The results are the same")
+        help="processes at a time (default: %(default)s, the number of processors); does not change "
+             "the results")
     arguments = parser.parse_args()
     if arguments.jobs < 1:
         parser.error("--jobs: at least 1")
@@ -77,7 +78,7 @@ def parse_arguments() -> argparse.Namespace:
 def ensure_display() -> None:
     """Debian's VTK draws through X; a virtual screen is enough.
 
-    -noreset: else the server starts anew whenever its last window closes, and a worker that opens
+    Without -noreset the server restarts whenever its last window closes, and a worker that opens
     one at that moment is turned away.
     """
     if os.environ.get("DISPLAY"):
@@ -90,12 +91,13 @@ def ensure_display() -> None:
 
 
 def reproduce(arguments: argparse.Namespace) -> int:
-    # Only now: the rendering modules need the display.
+    # These modules need packages that --help names: they are imported once that can be read.
     try:
         from reproduction import files, models, page, plan, timing, work
         from reproduction.store import Store
     except ImportError as error:
-        raise UserError(f"{error}; is PYTHONPATH set? See --help") from error
+        hint = "; is PYTHONPATH set? See --help" if error.name == "spectralwatermark" else ""
+        raise UserError(f"{error}{hint}") from error
 
     started = time.monotonic()
     try:
@@ -108,7 +110,7 @@ def reproduce(arguments: argparse.Namespace) -> int:
     chosen = (plan.quick_plan if arguments.quick else plan.full_plan)(found)
     vertices = sum(model.vertices for model in chosen.models)
     print(f"meshes: {len(chosen.models)}, with {vertices:,} vertices; messages: "
-          f"{len(chosen.messages)}; results at hand: {store.found:,}", flush=True)
+          f"{len(chosen.messages)}; existing results: {store.found:,}", flush=True)
 
     failures = [work.Failure(name, "reading", "not a PLY mesh with vertices")
                 for name in found.unreadable]
@@ -124,7 +126,7 @@ def reproduce(arguments: argparse.Namespace) -> int:
     failed_files = page.write(run, folder)
     complaints = files.check(folder, failed_files)
     if complaints:
-        raise UserError(f"the page is not complete: {complaints[0]} ({len(complaints)} complaints)")
+        raise UserError(f"the page is incomplete: {complaints[0]} ({len(complaints)} complaints)")
     for (model, message), titles in work.by_message(failures).items():
         print(f"  failed: {model}, {titles[0]}"
               f"{f' and {len(titles) - 1} more' if titles[1:] else ''}: {message}")

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What reproduce_paper.py is made of, one idea a module."""
+"""The modules of reproduce_paper.py."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Do the detector's certainties hold? Unmarked meshes, thousands of messages and keys."""
+"""Tests the detector's p-values on unmarked meshes with thousands of messages and keys."""
 
 from __future__ import annotations
 
@@ -37,16 +37,16 @@ VERIFIED_KEYS = 2
 
 
 def fixed_messages(length: int) -> list[str]:
-    """Messages that somebody might choose by hand: all of the one, of the other, patterns."""
+    """Messages that somebody might choose by hand: all zeros, all ones, and patterns."""
     patterns = FIXED_PATTERNS[:3] if length == 5 else FIXED_PATTERNS
     return [(pattern * length)[:length] for pattern in patterns]
 
 
 def calibrate(model: Model, random_messages: int, keys: int, stride: int) -> list[dict]:
-    """One model's spectrum, and how often each kind of expectation meets it by chance.
+    """One model's spectrum, and how often each kind of expected message agrees with it by chance.
 
-    Fixed messages are looked for at every carrier position and, `stride` components apart, at
-    every place in the spectrum.
+    Fixed messages are tried at every carrier position and at places in the spectrum that are
+    `stride` components apart.
     """
     read = read_mesh(model.path)
     mesh, first = with_enough_harmonics(read, min(HARMONICS, read.GetNumberOfPoints() // 2))
@@ -76,7 +76,7 @@ def calibrate(model: Model, random_messages: int, keys: int, stride: int) -> lis
 
 
 def hits(values: PValues) -> dict:
-    """How many p-values are at or under each threshold."""
+    """The number of p-values at or below each threshold."""
     return {"cases": len(values.hard)} | {
         detector: [int((getattr(values, detector) <= alpha).sum()) for alpha in ALPHAS]
         for detector in ("hard", "soft", "naive")}
@@ -98,7 +98,7 @@ def random_cases(rng: np.random.Generator, first: int, length: int, count: int) 
 
 
 def keyed_cases(first: int, length: int, count: int, rng: np.random.Generator | None) -> Cases:
-    """Every key with a random message or, without a generator, with the one it derives."""
+    """Every key with a random message or, without a generator, with its derived message."""
     streams = key_streams(count)
     shape = (count, length)
     return Cases(
@@ -128,8 +128,10 @@ def fixed_cases(message: str, first: int, windows: int, stride: int) -> Cases:
 
 
 def verify(mesh: vtkPolyData, magnitudes: np.ndarray, first: int) -> tuple[int, float]:
-    """The filter itself on some cases: how many p-values and likelihood ratios were compared, and
-    by how much they differ from numpy's at the most."""
+    """Compares the filter with numpy on some cases.
+
+    Returns the count of p-values and likelihood ratios compared, and the largest difference.
+    """
     length = min(15, (len(magnitudes) - first + 1) // SLOT_SIZE)
     rng = np.random.default_rng(SEED)
     compared, difference = 0, 0.0
@@ -175,8 +177,7 @@ def ones_by_position(magnitudes: np.ndarray, first: int, division: int) -> np.nd
 
 
 def group_sums(magnitudes: np.ndarray, first: int, division: int, size: int) -> np.ndarray:
-    """Ones in groups of consecutive slots, as a message would read them; all offsets and carrier
-    positions."""
+    """The number of ones in each group of consecutive slots, for all offsets and carrier positions."""
     one = read_windows(magnitudes, division).one[first - 1:].astype(int)
     sums = []
     for offset in range(SLOT_SIZE):
@@ -187,8 +188,9 @@ def group_sums(magnitudes: np.ndarray, first: int, division: int, size: int) -> 
 
 
 def variance_ratio(groups: list[np.ndarray], size: int) -> float:
-    """Variance of the groups' ones by that of independent draws with the same share of ones: 1
-    where slots are independent and all meshes alike. NaN without groups."""
+    """The variance of the groups' ones, divided by that of independent draws with the same share of
+    ones. It is 1 if slots are independent and all meshes alike, and NaN without groups.
+    """
     sums = np.concatenate(groups)
     share = sums.mean() / size if len(sums) else 0.0
     return float(sums.var() / (size * share * (1.0 - share))) if 0.0 < share < 1.0 else math.nan

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The detector once more, in numpy: readings of all slots at once, likelihoods, p-values.
+"""A second implementation of the paper's detector in numpy: readings, likelihoods, p-values.
 
-A second construction of Filters/Core/Detection.cxx, to try thousands of messages and keys on a
-spectrum in a second; calibration.verify() compares it with the filter itself.
+It reads all slots at once and tries thousands of messages and keys on a spectrum in a second.
+calibration.verify() compares it with vtkSpectralWatermarkDetect.
 """
 
 from __future__ import annotations
@@ -14,14 +14,14 @@ import numpy as np
 
 from .spectra import SLOT_SIZE
 
-POSITIONS = np.arange(2, SLOT_SIZE)  # where a carrier can be, 1-based
+POSITIONS = np.arange(2, SLOT_SIZE)  # possible positions of a carrier, 1-based
 DEFAULT_POSITION = 3  # index of position 5
 
-# Upper bounds of the filter for how often a slot of an unmarked mesh reads 0 and 1 (no key).
+# The filter's upper bounds for the share of slots of an unmarked mesh that read 0 and 1 (no key).
 ZERO_AT_MOST = (0.60, 0.57)  # by division
 ONE_AT_MOST = (0.52, 0.52)
 
-UNMARKED_MEAN = (0.03, 0.14)  # of (c - a) / a, by division
+UNMARKED_MEAN = (0.03, 0.14)  # mean of (c - a) / a, by division
 UNMARKED_DEVIATION = (0.56, 0.83)
 LOST_SHARE = 0.3
 KEPT_CORRELATION = 0.8
@@ -64,7 +64,7 @@ def log_likelihood_ratios(
     magnitude: np.ndarray, average: np.ndarray, deviation: np.ndarray, division: int,
     embedding: int, turbulence: float = 1.0,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """How much likelier a slot is if it holds a 0, and if it holds a 1, than if unmarked."""
+    """Log likelihood ratios of a slot with a 0, and of one with a 1, against an unmarked slot."""
     valid = average > 0.0
     safe = np.where(valid, average, 1.0)
     u = magnitude / safe - 1.0
@@ -107,23 +107,23 @@ def _log_upper_tail(z: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Cases:
-    """Detections to try on one spectrum, a row each: which slots, and what is expected there."""
+    """Detections to try on one spectrum, one in each row: the slots and the expected bits."""
 
-    rows: np.ndarray  # of Readings, by case and slot
+    rows: np.ndarray  # row in Readings, by case and slot
     columns: np.ndarray
-    inverted: np.ndarray  # by a key's keystream
+    inverted: np.ndarray  # whether the keystream inverts the bit
     expected: np.ndarray  # 0 or 1
     keyed: bool
 
 
 @dataclass(frozen=True)
 class PValues:
-    """By detector: counting bits, weighing them, and counting them as if all were fair coins."""
+    """P-values from counting bits, weighing them, and counting them as if all were fair coins."""
 
     hard: np.ndarray
     soft: np.ndarray
     naive: np.ndarray
-    ratio: np.ndarray  # the log likelihood ratio that goes with it
+    ratio: np.ndarray  # log likelihood ratio
 
 
 def p_values(readings: Readings, cases: Cases) -> PValues:
@@ -156,8 +156,8 @@ def weighted_tail(
 ) -> np.ndarray:
     """For each row P(sum of w_i X_i >= sum of w_i agree_i), X_i 1 with probability p_i.
 
-    Not by adding up a distribution as the filter does, but by meeting in the middle: all sums of
-    the first half of the slots against the sorted sums of the second.
+    The filter adds up a distribution. This function meets in the middle instead: it compares all
+    sums of the first half of the slots with the sorted sums of the second.
     """
     count, slots = weights.shape
     chunk = max(1, 2**19 >> (slots - slots // 2))  # rows at a time, to bound the memory
@@ -179,7 +179,7 @@ def _weighted_tail(
     second_p = np.take_along_axis(second_p, order, axis=1)
     tails = np.zeros((count, second.shape[1] + 1))
     tails[:, :-1] = second_p[:, ::-1].cumsum(axis=1)[:, ::-1]
-    # One search for all rows: each row's sums are lifted above those of the row before.
+    # One search serves all rows, because each row's sums are lifted above those of the previous row.
     total = int(weights.sum(axis=1).max()) + 2
     lift = total * np.arange(count)[:, None]
     wanted = np.clip(reached[:, None] - first, 0, total - 1) + lift
@@ -189,7 +189,7 @@ def _weighted_tail(
 
 
 def _all_sums(weights: np.ndarray, probabilities: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Of every subset of a row's slots: the weights' sum, and the probability of just these."""
+    """For every subset of a row's slots, its sum of weights and its probability."""
     sums = np.zeros((len(weights), 1), dtype=np.int64)
     chances = np.ones((len(weights), 1))
     for slot in range(weights.shape[1]):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Marking, attacking and reading: what Tables 1 to 4 and section 3.3 are made of."""
+"""Marks, attacks and reads meshes, for Tables 1 to 4 and section 3.3."""
 
 from __future__ import annotations
 
@@ -81,17 +81,17 @@ def _attacks() -> list[Attack]:
 ATTACKS = tuple(_attacks())
 ATTACK = {attack.key: attack for attack in ATTACKS}
 UNATTACKED = "none"
-REFUSED = "refused"  # in the record of an attack that a filter refused, with its message
+REFUSED = "refused"  # the key of the filter's message in the record of a refused attack
 
 
 def messages(count: int) -> list[str]:
-    """Different five-bit messages, the same ones in every run."""
+    """Distinct five-bit messages, the same in every run."""
     drawn = np.random.default_rng(SEED).permutation(2**BITS)[:count]
     return [format(number, f"0{BITS}b") for number in drawn]
 
 
 def embed(model: Model, mode: Mode, message: str) -> tuple[vtkSpectralWatermarkEmbed, int]:
-    """The filter after its run, and where its first slot begins."""
+    """The filter after its run, and the component where its first slot begins."""
     mesh, first = original_of(model)
     embedding = vtkSpectralWatermarkEmbed()
     embedding.SetMessage(message)
@@ -111,7 +111,7 @@ def _run(
 
 
 def attacked(mesh: vtkPolyData, attack: Attack, seed: int) -> vtkPolyData:
-    """A mesh with its smoothing basis on it is smoothed without computing another one."""
+    """The attacked mesh. Smoothing reuses a basis that the mesh carries."""
     vandal = vtkMeshAttack()
     vandal.SetInputData(mesh)
     vandal.SetAttack(attack.kind)
@@ -129,10 +129,10 @@ def smoothing_harmonics(mesh: vtkPolyData) -> int:
 
 
 def read(mesh: vtkPolyData, mode: Mode, first: int, message: str) -> dict:
-    """What the detector makes of a mesh, with nothing but the mesh."""
+    """The detector's reading, from the mesh alone."""
     detector = vtkSpectralWatermarkDetect()
     detector.SetExpectedMessage(message)
-    # No rate is asked for: five bits could not reach any that proves something.
+    # Five bits cannot reach a p-value that proves a mark, so every rate is accepted.
     detector.SetFalsePositiveRate(1.0)
     _run(detector, mesh, mode, first)
     return {
@@ -146,7 +146,7 @@ def read(mesh: vtkPolyData, mode: Mode, first: int, message: str) -> dict:
 def mark_and_attack(
     model: Model, mode_key: str, message: str, attack_keys: Sequence[str]
 ) -> list[dict]:
-    """Marks a model and reads it after each attack, UNATTACKED among them: a record for each."""
+    """Marks a model and reads it after each attack or UNATTACKED; returns a record for each."""
     mode = MODE[mode_key]
     embedding, first = embed(model, mode, message)
     marked = embedding.GetOutput()
@@ -160,10 +160,10 @@ def mark_and_attack(
             continue
         victim = smoothable if key.startswith("smooth") else marked
         try:
-            # Another message, other noise: the averages are to be over both.
+            # Each message gets its own noise, so that the averages cover both.
             mesh = attacked(victim, ATTACK[key], seed=1 + int(message, 2))
             records.append(read(mesh, mode, first, message))
-        except FilterError as error:  # too few vertices left, say: the other attacks go on
+        except FilterError as error:  # for example too few vertices; the other attacks continue
             records.append({REFUSED: str(error)})
     return records
 
@@ -187,8 +187,10 @@ def _embedding_record(
 
 
 def attack_unmarked(model: Model, attack_keys: Sequence[str]) -> list[dict]:
-    """The magnitudes of the five slots of an unmarked model after each attack: what a detector
-    must not take for a mark."""
+    """The magnitudes in the five slots of an unmarked model after each attack.
+
+    A detector must not mistake these for a mark.
+    """
     mesh, first = original_of(model)
     smoothable = mesh
     if any(key.startswith("smooth") for key in attack_keys):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The paper's figures, drawn from our meshes. Importing this module needs a display.
+"""The paper's figures, drawn from our meshes. Pictures of meshes need a display, charts do not.
 
-Each function that draws runs in a worker and returns, in a list as all tasks do, the numbers that
-the caption gives.
+Each function that draws runs in a worker. Like all tasks it returns a list: here, of one dictionary
+with the numbers of the caption.
 """
 
 from __future__ import annotations
@@ -12,16 +12,17 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
+from matplotlib.ticker import MaxNLocator
 from spectralwatermark import (
-    pictures,
     vtkManifoldHarmonicsReconstruction,
     vtkManifoldHarmonicsSimilarity,
     vtkMeshAttack,
     vtkMeshDistortion,
     vtkSpectralWatermarkEmbed,
 )
-from spectralwatermark.io import read_mesh
 from spectralwatermark.execution import update
+from spectralwatermark.io import read_mesh
+from spectralwatermark.report import charts, rendering
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
 from vtkmodules.vtkRenderingCore import vtkCamera
@@ -56,15 +57,17 @@ FIGURE_HARMONICS = 100
 COMPONENT = 50  # doubled in Figures 3 to 7, watched in Figure 8
 COARSER_PERCENT = 66.4  # removed: the paper's Kittens have 268,000 and 90,000 triangles
 MESSAGE = "10110"
-MOST_ATTEMPTS = 4  # messages tried before a picture shows a mark that did not converge
+MOST_ATTEMPTS = 4  # number of messages to try before a picture shows a mark without convergence
 SMALL_PANEL, LARGE_PANEL = 420, 560  # pixels
 
 
 def draw(
     function: Callable[..., list[dict]], folder: Path, files: Sequence[str], arguments: tuple
 ) -> list[dict]:
-    """Calls one of the functions below and adds to its numbers which pictures belong to them:
-    another run may draw the same figure from another mesh into the same folder."""
+    """Calls one of the functions below and adds digests of its pictures to its numbers.
+
+    Another run may draw the same figure from another mesh into the same folder.
+    """
     (facts,) = function(folder, *arguments)
     return [facts | {"pictures": {name: _digest(folder / name) for name in files}}]
 
@@ -88,7 +91,7 @@ def vertices_of(mesh: vtkPolyData) -> str:
 
 
 def draw_harmonics(folder: Path, model: Model) -> list[dict]:
-    """A few harmonics at two resolutions, with how similar they are."""
+    """A few harmonics at two resolutions, with their similarity."""
     fine = harmonics_of(read_mesh(model.path), FIGURE_HARMONICS)
     simplify = vtkMeshAttack()
     simplify.SetInputData(fine)
@@ -105,17 +108,17 @@ def draw_harmonics(folder: Path, model: Model) -> list[dict]:
                 _match_sign(fine, coarse, number)
                 caption += f", similarity {similarity[number - 1]:.3f}"
             limit = 0.8 * np.abs(_harmonic(fine, number)).max()
-            panels.append(pictures.Panel(mesh, caption, "ManifoldHarmonics", number - 1,
-                                         pictures.diverging(limit)))
-    pictures.write_panels(folder / NAMES["2"], panels, columns=len(SHOWN_HARMONICS),
-                          size=SMALL_PANEL, camera=_camera(model, fine))
+            panels.append(rendering.Panel(mesh, caption, "ManifoldHarmonics", number - 1,
+                                          rendering.diverging(limit)))
+    rendering.write_panels(folder / NAMES["2"], panels, columns=len(SHOWN_HARMONICS),
+                           size=SMALL_PANEL, camera=_camera(model, fine))
     return [{"vertices": [fine.GetNumberOfPoints(), coarse.GetNumberOfPoints()],
              "triangles": [fine.GetNumberOfPolys(), coarse.GetNumberOfPolys()],
              "similarity": similarity.tolist()}]
 
 
 def similarities(reference: vtkPolyData, other: vtkPolyData) -> np.ndarray:
-    """Eq. 8 for each component."""
+    """The similarity by equation 8 of each component."""
     similarity = vtkManifoldHarmonicsSimilarity()
     similarity.SetInputData(0, reference)
     similarity.SetInputData(1, other)
@@ -124,16 +127,16 @@ def similarities(reference: vtkPolyData, other: vtkPolyData) -> np.ndarray:
 
 
 def _camera(model: Model, mesh: vtkPolyData) -> vtkCamera:
-    return pictures.view_of(mesh, *ORIENTATIONS.get(model.name, UPRIGHT))
+    return rendering.view_of(mesh, *ORIENTATIONS.get(model.name, UPRIGHT))
 
 
 def _harmonic(mesh: vtkPolyData, number: int) -> np.ndarray:
-    """A view: changing it changes the mesh."""
+    """A view of the mesh's array: writing to it changes the mesh."""
     return vtk_to_numpy(mesh.GetPointData().GetArray("ManifoldHarmonics"))[:, number - 1]
 
 
 def _match_sign(fine: vtkPolyData, coarse: vtkPolyData, number: int) -> None:
-    """A harmonic's sign is free; show that of the fine mesh."""
+    """Gives the coarse mesh's harmonic the sign of the fine mesh's, since the sign is arbitrary."""
     locator = vtkStaticPointLocator()
     locator.SetDataSet(fine)
     locator.BuildLocator()
@@ -150,8 +153,10 @@ def _match_sign(fine: vtkPolyData, coarse: vtkPolyData, number: int) -> None:
 def draw_doubling(
     folder: Path, model: Model, similarity_file: str, spectrum_file: str, panels_file: str
 ) -> list[dict]:
-    """What doubling one component does: to the harmonics (Figure 3, if a file is named), to the
-    spectrum (4, or 6: the difference), and to the shape (5, 7)."""
+    """Doubles one component and draws the change of the spectrum (Figures 4 and 6) and of the shape
+    (5 and 7). With a file for the similarity it draws that too (3), and both spectra instead of
+    their difference.
+    """
     original = harmonics_of(read_mesh(model.path), FIGURE_HARMONICS)
     doubling = vtkManifoldHarmonicsReconstruction()
     doubling.SetInputData(original)
@@ -173,38 +178,29 @@ def draw_doubling(
 
 
 def _draw_similarity(path: Path, similarity: np.ndarray) -> None:
-    table = pictures.table_of(component=np.arange(1, len(similarity) + 1), similarity=similarity)
-    pictures.write_chart(
-        path, [pictures.Curve(table, "component", "similarity", "similarity", "SteelBlue")],
-        f"Harmonics before and after component {COMPONENT} was doubled",
-        ("component", "similarity (equation 8)"))
+    with charts.chart(path, f"Harmonics before and after component {COMPONENT} was doubled",
+                      "component", "similarity (equation 8)") as axes:
+        axes.plot(np.arange(1, len(similarity) + 1), similarity, color="steelblue")
 
 
 def _draw_spectra(path: Path, before: np.ndarray, after: np.ndarray) -> None:
     component = np.arange(2, len(before) + 1)  # the first is the position
-    table = pictures.table_of(component=component, before=before[1:], after=after[1:])
-    doubled = pictures.table_of(component=[COMPONENT], after=[after[COMPONENT - 1]])
-    pictures.write_chart(
-        path,
-        [pictures.Curve(table, "component", "before", "original", "SteelBlue"),
-         pictures.Curve(table, "component", "after", "modified", "DarkOrange"),
-         pictures.Curve(doubled, "component", "after", f"c{COMPONENT}, modified", "Firebrick",
-                        markers_only=True)],
-        f"Spectrum before and after component {COMPONENT} was doubled",
-        ("component", "magnitude (logarithmic scale)"), logarithmic=True)
+    with charts.chart(path, f"Spectrum before and after component {COMPONENT} was doubled",
+                      "component", "magnitude") as axes:
+        axes.set_yscale("log")
+        axes.plot(component, before[1:], color="steelblue", label="original")
+        axes.plot(component, after[1:], color="darkorange", label="modified")
+        axes.plot(COMPONENT, after[COMPONENT - 1], "o", color="firebrick",
+                  label=f"c{COMPONENT}, modified")
 
 
 def _draw_difference(path: Path, difference: np.ndarray) -> None:
     component = np.arange(2, len(difference) + 1)
-    table = pictures.table_of(component=component, difference=difference[1:])
-    doubled = pictures.table_of(component=[COMPONENT], difference=[difference[COMPONENT - 1]])
-    pictures.write_chart(
-        path,
-        [pictures.Curve(table, "component", "difference", "modified - original", "SteelBlue"),
-         pictures.Curve(doubled, "component", "difference", f"component {COMPONENT}",
-                        "Firebrick", markers_only=True)],
-        f"Difference of the spectra after component {COMPONENT} was doubled",
-        ("component", "difference of magnitudes"))
+    with charts.chart(path, f"Difference of the spectra after component {COMPONENT} was doubled",
+                      "component", "difference of magnitudes") as axes:
+        axes.plot(component, difference[1:], color="steelblue", label="modified − original")
+        axes.plot(COMPONENT, difference[COMPONENT - 1], "o", color="firebrick",
+                  label=f"component {COMPONENT}")
 
 
 def _draw_change(
@@ -218,18 +214,18 @@ def _draw_change(
     distortion.SetInputData(1, changed)
     update(distortion)
     coloured = distortion.GetOutput()
-    panels = [pictures.Panel(original, f"original\n{vertices_of(original)}"),
-              pictures.Panel(changed, what)]
+    panels = [rendering.Panel(original, f"original\n{vertices_of(original)}"),
+              rendering.Panel(changed, what)]
     for array, title in (("GeometricDifference", "geometric distortion"),
                          ("CurvatureDifference", "curvature distortion")):
         values = vtk_to_numpy(coloured.GetPointData().GetArray(array))  # a view
         values *= 100.0
-        # A few vertices stick out far: the scale ends where 99 % of them are below.
+        # A few vertices have far larger values, so the scale ends at the 99th percentile.
         limit = float(np.percentile(values, 99.0)) or 1.0
-        panels.append(pictures.Panel(coloured, title, array, 0, pictures.heat(limit),
-                                     "percent of the bounding-box diagonal"))
-    pictures.write_panels(path, panels, columns=2, size=LARGE_PANEL,
-                          camera=_camera(model, original))
+        panels.append(rendering.Panel(coloured, title, array, 0, rendering.heat(limit),
+                                      "percent of the bounding-box diagonal"))
+    rendering.write_panels(path, panels, columns=2, size=LARGE_PANEL,
+                           camera=_camera(model, original))
     return {"vertices": original.GetNumberOfPoints(),
             "geometric": 100.0 * distortion.GetGeomDiff(),
             "curvature": 100.0 * distortion.GetCurvDiff()}
@@ -252,14 +248,12 @@ def draw_evolution(folder: Path, candidates: Sequence[Model]) -> list[dict]:
         if best is not None and best["iterations"] >= 3:
             break  # "not achieved in one iteration"
     best = best or facts
-    table = pictures.table_of(iteration=range(len(best["carrier"])), carrier=best["carrier"],
-                              average=best["average"])
-    pictures.write_chart(
-        folder / NAMES["8"],
-        [pictures.Curve(table, "iteration", "carrier", f"c{COMPONENT}", "Firebrick"),
-         pictures.Curve(table, "iteration", "average", "average of its slot", "SteelBlue")],
-        f"Component {COMPONENT} and its slot's average over the iterations",
-        ("iteration", "magnitude"), whole_numbers=True)
+    with charts.chart(folder / NAMES["8"],
+                      f"Component {COMPONENT} and its slot's average over the iterations",
+                      "iteration", "magnitude") as axes:
+        axes.plot(best["carrier"], color="firebrick", label=f"c{COMPONENT}")
+        axes.plot(best["average"], color="steelblue", label="average of its slot")
+        axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     return [best | {"tried": tried}]
 
 
@@ -294,7 +288,7 @@ def draw_mark(folder: Path, model: Model, mode_key: str, file: str) -> list[dict
 
 
 def _mark(model: Model, mode: Mode) -> tuple[vtkSpectralWatermarkEmbed, dict]:
-    """With the usual message or, when it does not converge, with one that does."""
+    """Marks with the usual message or, if that does not converge, with one that does."""
     others = [message for message in experiments.messages(8) if message != MESSAGE]
     failed = []
     for message in [MESSAGE, *others][:MOST_ATTEMPTS]:
@@ -310,14 +304,14 @@ def _mark(model: Model, mode: Mode) -> tuple[vtkSpectralWatermarkEmbed, dict]:
 def draw_attack(
     folder: Path, model: Model, mode_key: str, attack_keys: Sequence[str], file: str
 ) -> list[dict]:
-    """A model, marked, and attacked, with the bits that are read from it."""
+    """A model, marked and attacked, with the bits that are read from it."""
     mode = MODE[mode_key]
     original, _ = original_of(model)
     embed, facts = _mark(model, mode)
     marked = embed.GetOutput()
     message = facts["message"]
-    panels = [pictures.Panel(original, f"original\n{vertices_of(original)}"),
-              pictures.Panel(marked, f"marked with {message}\nreads {facts['read']}")]
+    panels = [rendering.Panel(original, f"original\n{vertices_of(original)}"),
+              rendering.Panel(marked, f"marked with {message}\nreads {facts['read']}")]
     readings = []
     smoothed = any(key.startswith("smooth") for key in attack_keys)
     victim = harmonics_of(marked, experiments.smoothing_harmonics(marked)) if smoothed else marked
@@ -326,38 +320,34 @@ def draw_attack(
         mesh = experiments.attacked(victim, attack, seed=1 + int(message, 2))
         reading = experiments.read(mesh, mode, facts["first"], message)
         readings.append({"title": attack.title} | reading)
-        panels.append(pictures.Panel(mesh, f"{attack.title}\nreads {reading['read']}, "
-                                           f"{reading['errors']} wrong"))
-    pictures.write_panels(folder / file, panels, columns=3 if len(panels) == 3 else 2,
-                          size=LARGE_PANEL if len(panels) == 4 else 480,
-                          camera=_camera(model, original))
+        panels.append(rendering.Panel(mesh, f"{attack.title}\nreads {reading['read']}, "
+                                            f"{reading['errors']} wrong"))
+    rendering.write_panels(folder / file, panels, columns=3 if len(panels) == 3 else 2,
+                           size=LARGE_PANEL if len(panels) == 4 else 480,
+                           camera=_camera(model, original))
     return [facts | {"readings": readings, "vertices": original.GetNumberOfPoints()}]
 
 
 # --- ROC ---------------------------------------------------------------------------------------
 
-ROC_COLOURS = {("Normal", "hard"): "SteelBlue", ("Normal", "soft"): "DarkOrange",
-               ("Narrow", "hard"): "SeaGreen", ("Narrow", "soft"): "Firebrick"}
+ROC_COLOURS = {("Normal", "hard"): "steelblue", ("Normal", "soft"): "darkorange",
+               ("Narrow", "hard"): "seagreen", ("Narrow", "soft"): "firebrick"}
 ROC_LABELS = {"hard": "bits that agree (eq. 12)", "soft": "likelihood ratio"}
 LOWEST_RATE = 1e-3
 
 
 def draw_roc(folder: Path, curves: dict[tuple[str, str], Curve]) -> None:
-    """By division and detector: once over all rates, once with the low rates spread out."""
-    for name, logarithmic in (("roc", False), ("roc-log", True)):
-        lines = []
-        for (division, detector), curve in curves.items():
-            x, y = curve.false_positives, curve.true_positives
-            if logarithmic:
-                x, y = x[x >= LOWEST_RATE], y[x >= LOWEST_RATE]
-            lines.append(pictures.Curve(
-                pictures.table_of(x=x, y=y), "x", "y", f"{division} slots, {ROC_LABELS[detector]}",
-                ROC_COLOURS[division, detector]))
-        chance = np.geomspace(LOWEST_RATE, 1.0, 60)
-        lines.append(pictures.Curve(pictures.table_of(x=chance, y=chance), "x", "y", "a coin", "Silver"))
-        pictures.write_chart(
-            folder / NAMES[name], lines, "Marked meshes found, against unmarked ones mistaken",
-            ("false positives, share of unmarked meshes" +
-             (" (logarithmic scale)" if logarithmic else ""), "true positives"),
-            logarithmic_x=logarithmic)
-
+    """Draws a curve for each division and detector, with linear and with logarithmic axis."""
+    for name, scale in (("roc", "linear"), ("roc-log", "log")):
+        with charts.chart(folder / NAMES[name], "ROC: marked meshes found against unmarked ones mistaken",
+                          "false positives, share of unmarked meshes",
+                          "true positives, share of marked meshes") as axes:
+            axes.set_xscale(scale)
+            for (division, detector), curve in curves.items():
+                x, y = curve.false_positives, curve.true_positives
+                if scale == "log":
+                    x, y = x[x >= LOWEST_RATE], y[x >= LOWEST_RATE]
+                axes.plot(x, y, color=ROC_COLOURS[division, detector],
+                          label=f"{division} slots, {ROC_LABELS[detector]}")
+            chance = np.geomspace(LOWEST_RATE, 1.0, 60)
+            axes.plot(chance, chance, color="silver", label="guessing")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The output folder: what is written there, and how."""
+"""The output folder: its files, how they are written, and a check of the page."""
 
 from __future__ import annotations
 
@@ -18,13 +18,15 @@ TABLES = (
     "false-positives.csv", "roc.csv", "roc-curves.csv", "figure-02.csv", "figure-03.csv",
     "figure-06.csv", "figure-08.csv",
 )
-# Everything that a run can leave behind: what is cleared, and nothing else.
+# Every file that a run can leave. The next run removes these and no others.
 OUTPUTS = (INDEX, *TABLES, *NAMES.values())
 
 
 def prepare(folder: Path, fresh: bool) -> None:
-    """The page goes first: while a run is under way or interrupted there is none. Pictures stay
-    for a run that goes on where another was interrupted."""
+    """Removes the page first, so that an unfinished run leaves none.
+
+    Pictures stay unless the run is a fresh one: a run that resumes reuses them.
+    """
     folder.mkdir(parents=True, exist_ok=True)
     for name in OUTPUTS if fresh else (INDEX, *TABLES):
         (folder / name).unlink(missing_ok=True)
@@ -34,7 +36,7 @@ def prepare(folder: Path, fresh: bool) -> None:
 
 
 def write_text(path: Path, text: str) -> None:
-    """Writes beside and renames: the file is there whole or not at all."""
+    """Writes the file whole or not at all."""
     partial = path.with_name(path.name + ".partial")
     partial.write_text(text, encoding="utf-8")
     partial.replace(path)
@@ -64,8 +66,10 @@ class _Links(HTMLParser):
 
 
 def check(folder: Path, failed_figures: set[str]) -> list[str]:
-    """What is wrong with the page: files missing, empty or elsewhere, places that are not there.
-    Every table and figure must be there and be named, save the figures known to have failed."""
+    """Complaints about the page: files that are missing, empty or elsewhere, and missing anchors.
+
+    The page must link every table and figure except the figures known to have failed.
+    """
     page = folder / INDEX
     if not page.is_file():
         return [f"{INDEX} is missing"]
@@ -75,9 +79,9 @@ def check(folder: Path, failed_figures: set[str]) -> list[str]:
     for target in links.targets:
         if target.startswith("#"):
             if target[1:] not in links.anchors:
-                complaints.append(f"no place {target} on the page")
+                complaints.append(f"the page has no anchor {target}")
         elif "/" in target or ":" in target:
-            complaints.append(f"{target} is not beside the page")
+            complaints.append(f"{target} is not in the page's folder")
         elif not (folder / target).is_file() or (folder / target).stat().st_size == 0:
             complaints.append(f"{target} is missing or empty")
     for name in OUTPUTS:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What secret keys decide, found out by asking the filter about a tiny mesh.
+"""The choices that secret keys make, observed through the filter on a tiny mesh.
 
-Where a key puts the carriers, which slots it inverts and which message it derives do not depend
-on the mesh: one with a few hundred vertices tells it in milliseconds.
+The positions of the carriers, the inverted slots and the derived message do not depend on the mesh: a
+mesh with a few hundred vertices shows them in milliseconds.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from .models import PEBBLE
 from .spectra import BELOW_FIRST_SLOT, SLOT_SIZE, harmonics_of
 
-LONGEST = 25  # bits; the streams of shorter messages are their beginnings
+LONGEST = 25  # bits; shorter messages use the first part of the streams
 SMALLEST_SLOT = 4  # components
 
 
@@ -28,7 +28,7 @@ class Streams(NamedTuple):
 
     columns: np.ndarray  # index of the carrier's position, from position 2 on
     inverted: np.ndarray
-    derived: np.ndarray  # the bits of the message that the key stands for
+    derived: np.ndarray  # the bits of the message that the key derives
 
 
 def secret(number: int) -> str:
@@ -37,7 +37,7 @@ def secret(number: int) -> str:
 
 @lru_cache(maxsize=2)
 def key_streams(count: int) -> Streams:
-    """Of the first keys."""
+    """The streams of the first keys."""
     tiny = _tiny_mesh(1 + BELOW_FIRST_SLOT + LONGEST * SLOT_SIZE)
     tinier = _tiny_mesh(1 + LONGEST * SMALLEST_SLOT)
     places = [_places(tiny, secret(number)) for number in range(count)]
@@ -84,7 +84,7 @@ def _places(mesh: vtkPolyData, key: str) -> tuple[list[int], list[bool]]:
 
 
 def _derived_message(mesh: vtkPolyData, key: str) -> list[int]:
-    """The filter tells only how many bits are wrong: ask for one more bit each time."""
+    """Asks for one more bit each time, because the filter tells only the number of wrong bits."""
     detector = _detector(mesh, key)
     detector.SetFirstComponent(2)
     detector.SetSlotSize(SMALLEST_SLOT)

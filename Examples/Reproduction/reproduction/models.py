@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which meshes there are, and which of ours stands for which of the paper's."""
+"""The available meshes, and which of them stand for the paper's."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ PEBBLE = SOURCE / "Data" / "pebble.ply"
 DEFAULT_FOLDER = SOURCE.parent / "shared" / "meshes"
 FOLDER_VARIABLE = "SPECTRALWATERMARK_MESH_DIR"
 
-# The paper's models, and ours to take for them, the best first. Those of the same name are the
-# same scan, perhaps in another resolution; the others are merely of the same kind.
+# For each of the paper's models our candidates, the best first. A model of the same name is the
+# same scan, perhaps in another resolution; the others are only of the same kind.
 STAND_INS = {
     "Kitten": ("bunny", "bimba", "fertility"),
     "Iphigenia": ("nefertiti", "bimba", "fertility"),
@@ -27,7 +27,7 @@ STAND_INS = {
     "Topology": ("casting", "fertility"),
 }
 
-# Scans that do not stand upright in their file: where their front is, and their top.
+# Front and up direction of scans that do not stand upright in their file.
 ORIENTATIONS = {
     "nefertiti": ((0.0, -1.0, 0.0), (0.0, 0.0, 1.0)),
 }
@@ -35,7 +35,7 @@ UPRIGHT = ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0))
 
 
 class NoModels(Exception):
-    """Something about the folder of meshes that the user can mend."""
+    """The folder of meshes is unusable; the text says how to fix it."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class Model:
     name: str
     path: Path
     vertices: int
-    size: int  # of the file, in bytes: with the name it stands for the content
+    size: int  # bytes of the file; name and size identify the content
 
 
 @dataclass(frozen=True)
@@ -53,14 +53,14 @@ class Collection:
     """The PLY meshes of a folder."""
 
     models: tuple[Model, ...]  # the smallest first
-    unreadable: tuple[str, ...]  # names of files that are none
-    pebble_only: bool  # there was no folder
+    unreadable: tuple[str, ...]  # names of files that are not PLY meshes
+    pebble_only: bool  # no folder was found
 
 
 def find_models(folder: Path | None) -> Collection:
     chosen = folder or Path(os.environ.get(FOLDER_VARIABLE) or DEFAULT_FOLDER)
     if folder is not None and not folder.is_dir():
-        raise NoModels(f"no such folder: {folder}")
+        raise NoModels(f"folder not found: {folder}")
     files = sorted(chosen.glob("*.ply")) if chosen.is_dir() else []
     if folder is not None and not files:
         raise NoModels(f"no PLY meshes in {folder}")
@@ -74,7 +74,7 @@ def find_models(folder: Path | None) -> Collection:
 
 
 def _model(path: Path) -> Model | None:
-    """From the header alone: some meshes are large. None if it is not a mesh's."""
+    """Reads only the header, because some meshes are large; None if it is not that of a mesh."""
     with path.open("rb") as file:
         for line in file:
             words = line.split()
@@ -88,7 +88,7 @@ def _model(path: Path) -> Model | None:
 
 
 def stand_in(models: Sequence[Model], papers: str) -> Model:
-    """Ours for one of the paper's models: of those listed above or, failing that, any."""
+    """Our mesh for one of the paper's models: a listed one if possible, otherwise any."""
     by_name = {model.name: model for model in models}
     for name in STAND_INS[papers]:
         if name in by_name:

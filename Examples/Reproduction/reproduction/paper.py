@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the paper prints: Tables 1 to 4 and the claims of section 3.3."""
+"""The paper's numbers: Tables 1 to 4 and the claims of section 3.3."""
 
 from __future__ import annotations
 
@@ -84,12 +84,12 @@ TABLES: dict[str, dict[str, Row]] = {
 
 
 class Claim(NamedTuple):
-    """All bits were read after this attack, says the paper."""
+    """The paper states that all bits were read after this attack."""
 
     text: str
     mode: str
     attack: str  # a key of experiments.ATTACKS
-    model: str = ""  # the one it was made on, if there is only one
+    model: str = ""  # the paper's model, if there is only one
 
 
 CLAIMS = (
@@ -108,5 +108,5 @@ CLAIMS = (
 
 
 def printed(mode: str, model: str) -> Row | None:
-    """The paper's line for a model of that name, whatever its decimation."""
+    """The paper's line for a model of that name in any resolution."""
     return TABLES[mode].get(model.capitalize())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a run consists of: which meshes, messages and attacks, in the full and the quick form."""
+"""The meshes, messages and attacks of a run, in the full and the quick form."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from .models import Collection, Model, stand_in
 from .store import Store, key_of
 from .work import Task
 
-SMALL = 12000  # vertices: below, all modes are attacked
-ATTACKED_MESSAGES = 4  # of each mode
-ATTACKED_LARGE = ("horse", "bunny")  # and these in the paper's first mode
+SMALL = 12000  # meshes with fewer vertices are attacked in all modes
+ATTACKED_MESSAGES = 4  # in each mode
+ATTACKED_LARGE = ("horse", "bunny")  # larger meshes that are attacked in the paper's first mode
 ATTACKED_LARGE_MESSAGES = 2
 QUICK_ATTACKS = ("rotation", "scaling", "translation", "noise-0.1", "noise-0.5", "noise-0.7",
                  "simplify-50", "simplify-90", "smooth-kept", "smooth-dropped")
@@ -27,7 +27,7 @@ class Plan:
 
     quick: bool
     models: tuple[Model, ...]  # the smallest first
-    all_models: tuple[Model, ...]  # of the folder: a figure may need one that suits it
+    all_models: tuple[Model, ...]  # all of the folder, from which figures choose
     pebble_only: bool
     messages: tuple[str, ...]
     attacks: tuple[str, ...]
@@ -36,7 +36,7 @@ class Plan:
     window_stride: int
 
     def attacks_on(self, model: Model, mode: Mode, message: str) -> tuple[str, ...]:
-        """Whether and how a marked mesh is attacked."""
+        """The attacks on a marked mesh, perhaps none."""
         number = self.messages.index(message)
         if model in self.robustness_models():
             return self.attacks if number < ATTACKED_MESSAGES else ()
@@ -44,18 +44,18 @@ class Plan:
             return ()
         if model.name in ATTACKED_LARGE and mode.embedding == 0:
             return self.attacks if number < ATTACKED_LARGE_MESSAGES else ()
-        if model.name == "igea":  # what its own figures show
+        if model.name == "igea":  # the attacks of the figures that show it
             return ("simplify-50",) if mode.embedding == 0 else ("smooth-kept", "smooth-dropped")
         return ()
 
     def robustness_models(self) -> tuple[Model, ...]:
-        """Attacked in all modes."""
+        """The meshes that are attacked in all modes."""
         small = tuple(model for model in self.models if model.vertices < SMALL)
         return (small or self.models[:1])[:2 if self.quick else None]
 
 
 def quick_plan(meshes: Collection) -> Plan:
-    """The two smallest meshes and, since the paper's tables have it, the elephant."""
+    """The two smallest meshes and the elephant, which is in the paper's tables."""
     elephant = [model for model in meshes.models[2:] if model.name == "elephant"]
     return Plan(True, (*meshes.models[:2], *elephant), meshes.models, meshes.pebble_only,
                 tuple(experiments.messages(1 if meshes.pebble_only else 2)), QUICK_ATTACKS,
@@ -85,7 +85,7 @@ def calibration_key(plan: Plan, model: Model) -> str:
 
 
 def keys_of(plan: Plan) -> set[str]:
-    """Of all results that the run's page is made of, but for the times."""
+    """The keys of all results on the run's page except the times."""
     keys = {calibration_key(plan, model) for model in plan.models}
     keys |= {drawing.key() for drawing in drawings(plan)}
     for model in plan.robustness_models():
@@ -99,7 +99,7 @@ def keys_of(plan: Plan) -> set[str]:
 
 
 def refused(plan: Plan, store: Store) -> list[tuple[str, str, str]]:
-    """Attacks that a filter refused: model, what was done, the filter's words."""
+    """Attacks that a filter refused: the model, the experiment and the filter's message."""
     result = []
     for key, message in store.refused(keys_of(plan)):
         kind, name, _size, *details, _version = key.split(" ")
@@ -111,7 +111,7 @@ def refused(plan: Plan, store: Store) -> list[tuple[str, str, str]]:
 
 
 def tasks_of(plan: Plan, store: Store, folder: Path) -> list[Task]:
-    """Everything that the store does not have yet."""
+    """Everything that the store does not contain yet."""
     tasks = []
     for model in plan.models:
         tasks += _mark_tasks(plan, store, model)
@@ -122,7 +122,7 @@ def tasks_of(plan: Plan, store: Store, folder: Path) -> list[Task]:
 
 
 def _cost(model: Model) -> float:
-    """Of one eigenproblem with the harmonics of five slots: worse than linear."""
+    """The cost of one eigenproblem with the harmonics of five slots; grows faster than linearly."""
     return model.vertices * (model.vertices / 10000.0) ** 0.45
 
 
@@ -169,7 +169,7 @@ def _calibration_tasks(plan: Plan, store: Store, model: Model) -> list[Task]:
 
 
 def figure_tasks(plan: Plan, store: Store, folder: Path) -> list[Task]:
-    """The paper's figures, each from the mesh that stands for the paper's."""
+    """The paper's figures, each drawn from the mesh that stands for the paper's."""
     tasks = []
     for drawing in drawings(plan):
         key = drawing.key()
@@ -183,10 +183,10 @@ def figure_tasks(plan: Plan, store: Store, folder: Path) -> list[Task]:
 
 @dataclass(frozen=True)
 class Drawing:
-    """A figure, or several from one computation."""
+    """One figure, or several from one computation."""
 
     number: str
-    papers: str  # the paper's model
+    papers: str  # name of the paper's model
     model: Model
     function: Callable[..., list[dict]]
     arguments: tuple

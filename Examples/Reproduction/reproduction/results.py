@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the single experiments add up to. Everything here is computed from the store alone."""
+"""Sums and averages over the experiments, computed from the store alone."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Spread:
     """Mean and standard deviation of some values."""
 
     mean: float
-    deviation: float | None  # of one value there is none
+    deviation: float | None  # None for a single value
 
 
 def spread(values: Sequence[float]) -> Spread | None:
@@ -50,7 +50,7 @@ class EmbeddingRow:
 
 
 def marks_of(plan: Plan, store: Store, model: Model, mode: Mode) -> dict[str, dict]:
-    """By message."""
+    """The records of the marks, by message."""
     records = {message: store.get(mark_key(model, mode, message, UNATTACKED))
                for message in plan.messages}
     return {message: record for message, record in records.items() if record is not None}
@@ -74,13 +74,13 @@ def embedding_rows(plan: Plan, store: Store, mode: Mode) -> list[EmbeddingRow]:
 
 
 def is_read(record: dict) -> bool:
-    """What counts is what the blind detector reads, not what the embedding says of itself."""
+    """The blind detector decides, not the embedding filter's own report."""
     return record["errors"] == 0
 
 
 @dataclass
 class Convergence:
-    """Of all marks of a mode."""
+    """Counts over all marks of some modes."""
 
     marks: int = 0
     read: int = 0
@@ -103,12 +103,16 @@ def convergence(plan: Plan, store: Store, modes: Iterable[Mode] = MODES) -> Conv
 
 @dataclass
 class Robustness:
-    """Of one attack: the errors in each marked mesh that was attacked."""
+    """The wrong bits in each marked mesh after one attack."""
 
     errors: list[int] = field(default_factory=list)
 
     def mean(self) -> float:
         return float(np.mean(self.errors))
+
+    def read(self) -> int:
+        """The number of marks that were read without any error."""
+        return sum(errors == 0 for errors in self.errors)
 
     def share_read(self) -> float:
         return float(np.mean([errors == 0 for errors in self.errors]))
@@ -117,7 +121,7 @@ class Robustness:
 def robustness(
     plan: Plan, store: Store, models: Iterable[Model], mode: Mode, attack: str
 ) -> Robustness:
-    """Of the marks that were there before the attack."""
+    """The results for all marks that were readable before the attack."""
     result = Robustness()
     for model in models:
         for message, mark in marks_of(plan, store, model, mode).items():
@@ -129,7 +133,7 @@ def robustness(
 
 
 def large_models(plan: Plan) -> list[Model]:
-    """Those that were attacked in some modes only."""
+    """The meshes that were attacked in some modes only."""
     small = plan.robustness_models()
     return [model for model in plan.models if model not in small
             and any(plan.attacks_on(model, mode, message)
@@ -137,7 +141,7 @@ def large_models(plan: Plan) -> list[Model]:
 
 
 def claims(plan: Plan, store: Store) -> list[tuple[paper.Claim, Robustness]]:
-    """The paper's claims of robustness, and what became of them on all meshes."""
+    """The paper's claims of robustness with their results on all meshes."""
     return [(claim, robustness(plan, store, plan.models, _mode(claim.mode), claim.attack))
             for claim in paper.CLAIMS]
 
@@ -168,7 +172,7 @@ class BitStatistics:
         return float(np.mean(list(self.by_model.values())))
 
     def extremes(self) -> tuple[float, float]:
-        """Least and most, over meshes and over positions."""
+        """The smallest and largest share over meshes and over positions."""
         values = [*self.by_model.values(), *self.by_position]
         return float(min(values)), float(max(values))
 
@@ -198,7 +202,7 @@ UNLIKELY = 10000
 
 
 def binomial_tail(hits: int, cases: int, probability: float) -> float:
-    """Of that many or more; 1 where there are no more than expected."""
+    """The probability of that many hits or more; 1 if there are no more than expected."""
     if hits <= cases * probability:
         return 1.0
     tail = 0.0
@@ -223,7 +227,7 @@ class Rates:
     keyed: bool
     cases: int = 0
     hits: dict[str, np.ndarray] = field(default_factory=dict)
-    worst: dict[str, np.ndarray] = field(default_factory=dict)  # of a single mesh
+    worst: dict[str, np.ndarray] = field(default_factory=dict)  # the highest of a single mesh
 
     def add(self, record: dict) -> None:
         self.cases += record["cases"]
@@ -238,8 +242,11 @@ class Rates:
         return self.hits[detector] / max(1, self.cases)
 
     def too_many(self, detector: str) -> np.ndarray:
-        """Thresholds where more were found than was promised, chance allowed for: as many would
-        be found once in UNLIKELY times if the cases were independent and the promise just kept."""
+        """Thresholds where the rate exceeds the claim by more than chance explains.
+
+        So many hits would occur once in UNLIKELY times if the cases were independent and the rate
+        equal to the claim.
+        """
         return np.array([binomial_tail(int(hits), self.cases, alpha) < 1.0 / UNLIKELY
                          for hits, alpha in zip(self.hits[detector], calibration.ALPHAS)])
 
@@ -257,7 +264,7 @@ def false_positives(plan: Plan, store: Store) -> list[Rates]:
 
 
 def verification(plan: Plan, store: Store) -> tuple[int, float]:
-    """How many numbers of the filter were compared with numpy's, and the largest difference."""
+    """The count of numbers compared between the filter and numpy, and the largest difference."""
     records = calibrations(plan, store).values()
     return (sum(record["compared"] for record in records),
             max((record["difference"] for record in records), default=0.0))
@@ -268,18 +275,18 @@ def verification(plan: Plan, store: Store) -> tuple[int, float]:
 
 @dataclass(frozen=True)
 class RocSummary:
-    """A division's two detectors, and what they were tried on."""
+    """The curves of both detectors in one division, and the number of cases behind them."""
 
     curves: dict[str, roc.Curve]  # by detector: hard, soft
     positives: int
     negatives: int
-    attacked_meshes: int  # behind the negatives
+    attacked_meshes: int  # that the negatives come from
 
 
 def roc_summaries(
     plan: Plan, store: Store, families: Sequence[str] | None = None
 ) -> dict[str, RocSummary]:
-    """By division, under all attacks or those of some families."""
+    """Summaries by division, under all attacks or those of some families."""
     attacks = [key for key in plan.attacks if families is None or ATTACK[key].family in families]
     summaries = {}
     for division, name in enumerate(calibration.DIVISIONS):
@@ -293,7 +300,7 @@ def roc_summaries(
 
 
 def _positives(plan: Plan, store: Store, division: int, attacks: Sequence[str]) -> np.ndarray:
-    """Bits that agree and likelihood ratio of every attacked mark."""
+    """The number of agreeing bits and the likelihood ratio of every attacked mark."""
     scores = []
     for mode in (mode for mode in MODES if mode.division == division):
         for model in plan.robustness_models():
@@ -308,7 +315,7 @@ def _positives(plan: Plan, store: Store, division: int, attacks: Sequence[str]) 
 def _negatives(
     plan: Plan, store: Store, division: int, attacks: Sequence[str]
 ) -> tuple[np.ndarray, int]:
-    """The same of unmarked meshes, for every message there is: what random ones would give."""
+    """The same for unmarked meshes, each with every possible message."""
     messages = (np.arange(2**BITS)[:, None] >> np.arange(BITS)) & 1
     scores, meshes = [], 0
     for model in plan.robustness_models():

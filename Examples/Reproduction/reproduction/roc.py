@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""True against false positives as a detector's threshold goes down."""
+"""True against false positives as a detector's threshold falls."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Curve:
-    """From (0, 0) to (1, 1), a point for each value of the statistic."""
+    """A curve from (0, 0) to (1, 1) with a point for each value of the statistic."""
 
     false_positives: np.ndarray
     true_positives: np.ndarray
@@ -20,7 +20,7 @@ class Curve:
         return float((np.diff(x) * (y[1:] + y[:-1]) / 2.0).sum())
 
     def true_positives_at(self, rate: float) -> float:
-        """What can be had without more false positives than that."""
+        """The largest share of true positives with no more false positives than that."""
         return float(self.true_positives[self.false_positives <= rate + 1e-12].max())
 
 

@@ -1,101 +1,53 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Section "Tables 1 to 4", and the table of the timing."""
+"""The numbers of the section "Tables 1 to 4", and of the table of times."""
 
 from __future__ import annotations
 
-from html import escape
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-
-from spectralwatermark.report.html import Cell, Line, table
 
 from . import paper, results, timing
 from .experiments import MODES, Mode
 from .files import write_csv
 from .plan import Plan
 from .results import EmbeddingRow, Spread
-from .spectra import BITS
 from .store import Store
 
-NOTHING = Cell("–", "soft")
+
+@dataclass(frozen=True)
+class Table:
+    """One of the paper's tables with our numbers."""
+
+    mode: Mode
+    rows: list[EmbeddingRow]
+    medians: dict[str, float | None]
+    papers_medians: dict[str, float]
+    others: dict[str, paper.Row]  # the paper's models that are not among ours
 
 
-def write(plan: Plan, store: Store, folder: Path) -> str:
+def tables(plan: Plan, store: Store, folder: Path) -> list[Table]:
+    """All four, also written as files."""
     _write_marks(plan, store, folder)
-    parts = [f"""
-<h2 id="tables">Tables 1 to 4: iterations and distortion</h2>
-<p>Each mesh is marked with {_count(len(plan.messages))} of five bits, each on a fresh copy, in each
-of the four modes. <b>Read</b> counts those that the blind detector reads back from the marked
-mesh, of all that were tried; iterations and differences are means over these, ± one standard
-deviation over the messages. Where a message could not be embedded in 20 iterations,
-<b>otherwise right</b> says how many of its bits the best mesh reads. All differences are percent of
-the bounding-box diagonal of the original mesh. Every single mark:
-<a href="marks.csv">marks.csv</a>.</p>
-<p>The paper's models of the same name stand in the same line. They are the same scans, but perhaps
-not in the same resolution, and the paper does not give its messages: equal to the last digit they
-cannot be. Its other models are not public here and follow below ours.</p>"""]
-    for mode in MODES:
-        parts.append(_table(plan, store, mode, folder))
-    return "\n".join(parts)
+    return [_table(plan, store, mode, folder) for mode in MODES]
 
 
-def _count(messages: int) -> str:
-    return "one random message" if messages == 1 else f"{messages} random messages"
-
-
-def _table(plan: Plan, store: Store, mode: Mode, folder: Path) -> str:
+def _table(plan: Plan, store: Store, mode: Mode, folder: Path) -> Table:
     rows = results.embedding_rows(plan, store, mode)
     _write_table(mode, rows, folder)
-    named = {row.model.name.capitalize() for row in rows}
-    lines: list[Line] = [Line(_cells(row)) for row in rows]
-    lines.append(_medians(mode, rows))
-    lines += [Line([escape(name), *[""] * 6, *_printed(printed)], "rest")
-              for name, printed in paper.TABLES[mode.key].items() if name not in named]
-    headers = [
-        ["", "", Cell("here", "group", span=5), Cell("the paper", "group", span=3)],
-        ["mesh", "vertices", "read", "iterations", "GeomDiff %", "CurvDiff %", "otherwise right",
-         "iterations", "GeomDiff %", "CurvDiff %"]]
-    return (f'<h3 id="table-{mode.table}">Table {mode.table}: {mode.title.lower()}</h3>' +
-            table(headers, lines, [f"table-{mode.table}.csv"]))
+    names = ("iterations", "geometric", "curvature")
+    return Table(mode, rows, {name: median_of(rows, name) for name in names},
+                 {name: papers_median(mode, name) for name in names}, _others(mode, rows))
 
 
-def _cells(row: EmbeddingRow) -> list[Cell | str]:
-    lost = ", ".join(str(bits) for bits in row.bits_right_otherwise)
-    return [escape(row.model.name), f"{row.model.vertices:,}",
-            Cell(f"{row.converged} of {row.marks}", "" if row.converged == row.marks else "bad"),
-            _spread(row.iterations, 1), _spread(row.geometric, 3), _spread(row.curvature, 4),
-            Cell(f"{lost} of {BITS}") if lost else NOTHING, *_printed(row.printed)]
-
-
-def _spread(value: Spread | None, digits: int) -> Cell | str:
-    if value is None:
-        return NOTHING
-    if value.deviation is None:
-        return f"{value.mean:.{digits}f}"
-    return f'{value.mean:.{digits}f} <span class="soft">± {value.deviation:.{digits}f}</span>'
-
-
-def _printed(row: paper.Row | None) -> list[Cell | str]:
-    if row is None:
-        return [NOTHING] * 3
-    return [str(row.iterations), f"{row.geometric:.3f}", f"{row.curvature:.3f}"]
-
-
-def _medians(mode: Mode, rows: list[EmbeddingRow]) -> Line:
-    cells: list[Cell | str] = ["median", ""]
-    cells.append(f"{sum(row.converged for row in rows)} of {sum(row.marks for row in rows)}")
-    for name, digits in (("iterations", 1), ("geometric", 3), ("curvature", 4)):
-        median = median_of(rows, name)
-        cells.append(NOTHING if median is None else f"{median:.{digits}f}")
-    cells.append("")
-    for name, digits in (("iterations", 0), ("geometric", 3), ("curvature", 3)):
-        cells.append(f"{papers_median(mode, name):.{digits}f}")
-    return Line(cells, "sum")
+def _others(mode: Mode, rows: list[EmbeddingRow]) -> dict[str, paper.Row]:
+    ours = {row.model.name.capitalize() for row in rows}
+    return {name: row for name, row in paper.TABLES[mode.key].items() if name not in ours}
 
 
 def median_of(rows: list[EmbeddingRow], name: str) -> float | None:
-    """Of the meshes' means."""
+    """The median of the meshes' means."""
     values = [getattr(row, name).mean for row in rows if getattr(row, name) is not None]
     return float(np.median(values)) if values else None
 
@@ -114,9 +66,7 @@ def _write_table(mode: Mode, rows: list[EmbeddingRow], folder: Path) -> None:
              *numbers(row.iterations), *numbers(row.geometric), *numbers(row.curvature),
              " ".join(str(bits) for bits in row.bits_right_otherwise),
              *(row.printed or ["", "", ""])] for row in rows]
-    named = {row.model.name.capitalize() for row in rows}
-    theirs = [[name, *[""] * 10, *printed]
-              for name, printed in paper.TABLES[mode.key].items() if name not in named]
+    theirs = [[name, *[""] * 10, *printed] for name, printed in _others(mode, rows).items()]
     write_csv(
         folder / f"table-{mode.table}.csv",
         ["mesh", "vertices", "marks", "read", "iterations", "iterations_deviation",
@@ -141,29 +91,15 @@ def _write_marks(plan: Plan, store: Store, folder: Path) -> None:
 # --- Timing ------------------------------------------------------------------------------------
 
 
-def write_timing(plan: Plan, store: Store, folder: Path) -> str:
-    rows = timings(plan, store)
-    write_csv(folder / "timing.csv", ["mesh", "vertices", "harmonics", "seconds"],
-              [[name, record["vertices"], timing.HARMONICS, round(record["seconds"], 3)]
-               for name, record in rows])
-    lines: list[Line] = [
-        Line([escape(name), f"{record['vertices']:,}", f"{record['seconds']:.2f}"])
-        for name, record in rows]
-    lines.append(Line(["the paper, 2008", f"{paper.VERTICES_IN_A_MINUTE:,}", "under 60"], "sum"))
-    return f"""
-<h2 id="timing">Section 3.1: time</h2>
-<p>The paper: “it takes less than 1 minute to calculate the Manifold Harmonic Basis for a mesh with
-20,000 vertices”, on a processor of 2.66 GHz and with a number of harmonics that it does not give.
-Here the first {timing.HARMONICS} harmonics are computed, on one thread of this machine and before
-anything else runs; the faster of {timing.REPEATS} runs.</p>""" + \
-        table([["mesh", "vertices", "seconds"]], lines, ["timing.csv"])
-
-
-def timings(plan: Plan, store: Store) -> list[tuple[str, dict]]:
-    """By name, the smallest first."""
+def timings(plan: Plan, store: Store, folder: Path) -> list[tuple[str, dict]]:
+    """Records by name, the smallest mesh first; also written as a file."""
     rows = []
     for model, reduced in timing.timed_models(plan):
         record = store.get(timing.timing_key(model, reduced))
         if record is not None:
             rows.append((f"{model.name}, simplified" if reduced else model.name, record))
-    return sorted(rows, key=lambda row: row[1]["vertices"])
+    rows.sort(key=lambda row: row[1]["vertices"])
+    write_csv(folder / "timing.csv", ["mesh", "vertices", "harmonics", "seconds"],
+              [[name, record["vertices"], timing.HARMONICS, round(record["seconds"], 3)]
+               for name, record in rows])
+    return rows

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Harmonics of meshes, and where the slots begin."""
+"""The harmonics of meshes, and the component where the slots begin."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from .models import Model
 
 SLOT_SIZE = 10
 BITS = 5
-# The first slot begins at component 21 (paper, 3.2.1): above the constant one and 19 others. A
-# mesh of several components has more constant ones, and its slots begin as many later.
+# The first slot begins at component 21 (paper, 3.2.1), after the constant harmonic and 19 others.
+# A mesh of several components has more constant harmonics, and its slots begin later by as many.
 BELOW_FIRST_SLOT = 20
 
 
 def harmonics_of(mesh: vtkPolyData, number: int) -> vtkPolyData:
-    """The mesh with its first harmonics on it."""
+    """The mesh with its first harmonics as point data."""
     harmonics = vtkManifoldHarmonics()
     harmonics.SetInputData(mesh)
     harmonics.SetNumberOfHarmonics(number)
@@ -39,8 +39,10 @@ def magnitudes_of(mesh: vtkPolyData) -> np.ndarray:
 
 
 def with_enough_harmonics(mesh: vtkPolyData, number: int) -> tuple[vtkPolyData, int]:
-    """The mesh with its harmonics, `number` for a connected one and as many more as it has
-    further constant ones; and the component where its first slot begins."""
+    """The mesh with its harmonics, and the component where its first slot begins.
+
+    A connected mesh gets `number` harmonics, others one more for each further constant one.
+    """
     result = harmonics_of(mesh, number)
     zeros = zero_eigenvalues(result)
     while zeros > 1 and result.GetPointData().GetArray("ManifoldHarmonics") \
@@ -50,8 +52,8 @@ def with_enough_harmonics(mesh: vtkPolyData, number: int) -> tuple[vtkPolyData, 
     return result, zeros + BELOW_FIRST_SLOT
 
 
-# A worker's tasks come mesh by mesh: the basis of the last one serves the next.
+# A worker processes its tasks mesh by mesh, so that one cached basis is enough.
 @lru_cache(maxsize=1)
 def original_of(model: Model) -> tuple[vtkPolyData, int]:
-    """A model with the harmonics that its five bits need, and where its first slot begins."""
+    """A model with the harmonics for five bits, and the component where its first slot begins."""
     return with_enough_harmonics(read_mesh(model.path), BELOW_FIRST_SLOT + BITS * SLOT_SIZE)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results that outlive an interrupted run: one JSON line each, in the output folder."""
+"""Results that survive an interrupted run: one JSON line each, in the output folder."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ import spectralwatermark.vtkFiltersSpectralWatermark as filters
 from .experiments import REFUSED
 from .models import Model
 
-VERSION = "2"  # of the experiments: older results are not taken for new ones
+VERSION = "2"  # of the experiments; results of other versions are ignored
 CACHE = "results.jsonl"
 
 
 def build_fingerprint() -> str:
-    """Of the filters that compute here: the page says when results are of several builds."""
+    """Identifies the build of the filters; the page says when results come from several builds."""
     module = Path(filters.__file__).resolve()
     libraries = sorted(module.parents[3].glob("libvtkFiltersSpectralWatermark.so*"))
     digest = hashlib.sha256()
@@ -31,7 +31,7 @@ def key_of(kind: str, model: Model, *details: str) -> str:
 
 
 class Store:
-    """Records by key. What is put is in the file before anything else happens."""
+    """Records by key. put() writes each record to the file at once."""
 
     def __init__(self, folder: Path, fresh: bool) -> None:
         self.path = folder / CACHE
@@ -50,7 +50,7 @@ class Store:
                 entry = json.loads(line)
                 self._records[entry["key"]] = entry
             except (ValueError, KeyError, TypeError):
-                continue  # cut off when the run was interrupted
+                continue  # the line was cut off by an interruption
         if text and not text.endswith("\n"):
             with self.path.open("a", encoding="utf-8") as file:
                 file.write("\n")
@@ -59,13 +59,13 @@ class Store:
         return key in self._records
 
     def get(self, key: str) -> dict | None:
-        """The record, unless there is none or a filter refused the experiment."""
+        """The record, or None if there is none or a filter refused the experiment."""
         entry = self._records.get(key)
         return entry["record"] if entry and REFUSED not in entry["record"] else None
 
     def refused(self, keys: set[str]) -> list[tuple[str, str]]:
-        """Experiments that a filter refused while others of the same task went on, with what it
-        said."""
+        """Experiments that a filter refused while others of the same task continued, each with
+        the filter's message."""
         records = ((key, self._records[key]["record"]) for key in sorted(keys)
                    if key in self._records)
         return [(key, record[REFUSED]) for key, record in records if REFUSED in record]

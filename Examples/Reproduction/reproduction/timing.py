@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Section 3.1: how long the harmonics of a mesh take, measured while nothing else runs here."""
+"""Section 3.1: the time for the harmonics of a mesh, measured before anything else runs."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .store import Store, key_of
 from .work import Failure
 
 HARMONICS = 100
-REPEATS = 2  # the faster one counts: the other had a cold cache or a busy neighbour
+REPEATS = 2  # the faster run counts, because caches and other processes slow down the other
 
 
 def measure(plan: Plan, store: Store) -> list[Failure]:
@@ -38,7 +38,7 @@ def timing_key(model: Model, reduced: bool) -> str:
 
 
 def timed_models(plan: Plan) -> list[tuple[Model, bool]]:
-    """The meshes nearest to the paper's size, and one brought to exactly that size."""
+    """The meshes nearest to the paper's size, and one that is simplified to exactly that size."""
     def distance(model: Model) -> int:
         return abs(model.vertices - paper.VERTICES_IN_A_MINUTE)
 

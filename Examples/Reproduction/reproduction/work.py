@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tasks over processes, with one progress bar for all of them."""
+"""Distributes tasks over processes, with one progress bar for all of them."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from .store import Store
 
 
 class WorkerLost(Exception):
-    """A process died without a word: most likely the memory was not enough."""
+    """A worker process died without a message, most likely for lack of memory."""
 
 
 @dataclass(frozen=True)
@@ -32,13 +32,13 @@ class Task:
     arguments: tuple
     keys: tuple[str, ...]
     model: Model
-    title: str  # what the page says when it fails
-    cost: float  # in vertices of an average eigenproblem
+    title: str  # the page names a failed task by it
+    cost: float  # estimate, in vertices of an average eigenproblem
 
 
 @dataclass(frozen=True)
 class Failure:
-    """A task that came to nothing, with what the filter said."""
+    """A failed task with the filter's message."""
 
     model: str
     title: str
@@ -46,7 +46,7 @@ class Failure:
 
 
 def by_message(failures: Sequence[Failure]) -> dict[tuple[str, str], list[str]]:
-    """What failed, by model and message: one unsuitable mesh fails everywhere for one reason."""
+    """Titles of failed tasks by model and message, since many share both."""
     grouped: dict[tuple[str, str], list[str]] = {}
     for failure in failures:
         grouped.setdefault((failure.model, failure.message), []).append(failure.title)
@@ -54,18 +54,17 @@ def by_message(failures: Sequence[Failure]) -> dict[tuple[str, str], list[str]]:
 
 
 def run_tasks(tasks: Sequence[Task], store: Store, jobs: int) -> list[Failure]:
-    """Runs what the store does not have yet, dear tasks first; records go to the store as they
-    come."""
-    # One thread each: as many processes as processors run anyway, and sums keep their order.
+    """Runs the tasks, expensive ones first, and stores each record as soon as it arrives."""
+    # One thread each: there are as many processes as processors, and sums keep their order.
     for variable in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "VTK_SMP_MAX_THREADS"):
         os.environ.setdefault(variable, "1")
-    # Meshes with many vertices first, and the tasks of a mesh together: they share its basis.
+    # Meshes with many vertices come first; the tasks of a mesh come together and share its basis.
     ordered = sorted(tasks, key=lambda task: (-task.model.vertices, task.model.name, -task.cost,
                                               task.keys))
     failures: list[Failure] = []
     if not ordered:
         return failures
-    # Fresh processes: the display connection and VTK's globals are not made to be forked.
+    # Spawned processes: the display connection and VTK's globals do not survive a fork.
     context = multiprocessing.get_context("spawn")
     with Progress(sum(task.cost for task in ordered)) as progress, \
             ProcessPoolExecutor(jobs, mp_context=context, initializer=_ignore_interrupts) as pool:
@@ -83,23 +82,23 @@ def run_tasks(tasks: Sequence[Task], store: Store, jobs: int) -> list[Failure]:
                     progress.advance(task.cost)
                 progress.refresh()
         except BrokenProcessPool as error:
-            raise WorkerLost("a worker process died, perhaps for want of memory; run again to go "
-                             "on, with fewer --jobs") from error
+            raise WorkerLost("a worker process died, perhaps for lack of memory; run again with "
+                             "fewer --jobs to resume") from error
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             for worker in multiprocessing.active_children():
-                worker.terminate()  # not minutes later, when it is through with a large mesh
+                worker.terminate()  # or it would first finish its mesh, which can take minutes
             raise
     return sorted(failures, key=lambda failure: (failure.model, failure.title))
 
 
 def _ignore_interrupts() -> None:
-    """Control-C reaches all processes of a terminal; the main one ends the others."""
+    """Control-C reaches all processes of a terminal; the main process ends the others."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def _attempt(task: Task) -> tuple[list[dict], str]:
-    """Runs in a worker. One mesh that fails must not end the computation of all others."""
+    """Runs a task in a worker. A failing mesh must not end the computation of all others."""
     try:
         return task.function(*task.arguments), ""
     except (FilterError, MeshFileError) as error:
@@ -109,7 +108,7 @@ def _attempt(task: Task) -> tuple[list[dict], str]:
 
 
 class Progress:
-    """A bar with the time left on a terminal, a line every tenth elsewhere."""
+    """On a terminal a bar with the time left, elsewhere a line for every tenth."""
 
     def __init__(self, total: float) -> None:
         self._terminal = sys.stdout.isatty()
@@ -117,7 +116,7 @@ class Progress:
         self._done = 0.0
         self._said = 0
         self._bar = tqdm(total=self._total, ncols=90, file=sys.stdout, disable=not self._terminal,
-                         smoothing=0.0,  # the mean rate: tasks differ too much for the last ones'
+                         smoothing=0.0,  # the mean rate, because tasks differ too much for a recent one
                          bar_format="Experiments {percentage:5.1f}% |{bar}| {elapsed} so far, "
                                     "{remaining} left")
 
@@ -136,6 +135,6 @@ class Progress:
             print(f"  {10 * tenths:3d} %", flush=True)
 
     def refresh(self) -> None:
-        """The estimate also moves while a large mesh is being worked on."""
+        """Updates the estimate while a large mesh is being processed."""
         if self._terminal:
             self._bar.refresh()

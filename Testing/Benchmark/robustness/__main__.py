@@ -34,7 +34,8 @@ def parse() -> argparse.Namespace:
     parser.add_argument("--schemes", nargs="+", default=[scheme.name for scheme in SCHEMES],
                         choices=[scheme.name for scheme in SCHEMES], metavar="SCHEME")
     parser.add_argument("--keys", type=int, default=2, help="number of keys (default: 2)")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="processes at a time (default: one for each core)")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(),
+                        help="processes at a time (default: one for each core)")
     parser.add_argument("--output", type=Path, default=Path("robustness"))
     parser.add_argument("--only-page", action="store_true", help="write the page from existing results")
     parser.add_argument("--meshes-folder", type=Path, default=Path(

@@ -12,7 +12,8 @@ medians of the solve alone, without reading or assembling anything.
         /usr/bin/python3 Testing/Benchmark/solvers/compare_solvers.py scale --output scaling
 
 Needs Debian's packages python3-scipy, python3-slepc4py and python3-numpy; the charts of "scale" need
-python3-matplotlib and python3-jinja2. Where SLEPc is installed but not found, set SLEPC_DIR and PETSC_DIR to their folders under /usr/lib/slepcdir and /usr/lib/petscdir.
+python3-matplotlib and python3-jinja2. Where SLEPc is installed but not found, set SLEPC_DIR and
+PETSC_DIR to their folders under /usr/lib/slepcdir and /usr/lib/petscdir.
 """
 
 from __future__ import annotations

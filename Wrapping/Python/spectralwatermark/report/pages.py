@@ -18,4 +18,5 @@ def templates_of(*folders: Path) -> Environment:
     Values are escaped. A name that a template uses and nobody gave is an error.
     """
     return Environment(loader=FileSystemLoader([*folders, TEMPLATES]), autoescape=True,
-                       undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+                       undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True,
+                       keep_trailing_newline=True)
