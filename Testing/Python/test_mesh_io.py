@@ -914,7 +914,7 @@ for path in sys.argv[1:]:
     def test_the_demo_says_it_in_one_line(self):
         path = self.file("cut.ply", PEBBLE.read_bytes()[:200_000])
         result = subprocess.run(
-            [sys.executable, ROOT / "Examples" / "Python" / "watermark_demo.py", path,
+            [sys.executable, ROOT / "Examples" / "Demo" / "watermark_demo.py", path,
              "--no-pictures", "--output", self.folder / "out"],
             capture_output=True, text=True, check=False)
         self.assertEqual((result.returncode, result.stdout), (2, ""))
