@@ -1,31 +1,57 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether a VTP file holds what its XML says: VTK 9.1 crashes on many that do not.
+"""VTP files.
 
-It takes numbers of points, and where arrays are and how long, on trust: it aborts when they ask for more
-memory than there is, and reads beyond the end of what a shorter array holds.
+VTK 9.1 trusts the numbers of points and cells, and the places and lengths of arrays, in the file's
+XML. It aborts when they ask for more memory than there is, and reads beyond the end of shorter
+arrays. So the file is compared with its XML before VTK reads it.
 """
 
 from __future__ import annotations
 
 import base64
 import binascii
+import os
 import re
 import xml.etree.ElementTree as ElementTree
 import zlib
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-NOT_WHOLE = "its binary part is cut off or was copied as text; copy or export it again"
+from .errors import MeshFileError
+from .vtk_execution import run_reader, run_writer
+
+# See memory.py.
+MEMORY_PER_BYTE = 4.0
+
+_NOT_WHOLE = "its binary part is cut off or was copied as text; copy or export it again"
 
 _TYPES = {"Int8": "i1", "UInt8": "u1", "Int16": "i2", "UInt16": "u2", "Int32": "i4", "UInt32": "u4",
           "Int64": "i8", "UInt64": "u8", "Float32": "f4", "Float64": "f8"}
 _CELLS = ("Verts", "Lines", "Strips", "Polys")
-_ZLIB_RATIO = 1032  # no compressed file holds more bytes for one of its own
+# A byte of zlib holds at most so many bytes.
+_ZLIB_RATIO = 1032
 
 
-class Damaged(ValueError):
-    """What does not fit, in words."""
+def read(path: Path) -> vtkPolyData:
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+    check(path.read_bytes())
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(os.fsencode(path))
+    return run_reader(reader)
+
+
+def write(mesh: vtkPolyData, path: Path) -> None:
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+    writer = vtkXMLPolyDataWriter()
+    writer.SetDataModeToAppended()
+    writer.EncodeAppendedDataOff()
+    writer.SetCompressorTypeToZLib()
+    run_writer(writer, mesh, path)
 
 
 @dataclass
@@ -38,15 +64,15 @@ class _File:
 
 
 def check(data: bytes) -> None:
-    """Raises Damaged."""
+    """Raises MeshFileError when an array is not what the XML says."""
     raw = re.search(rb"<AppendedData[^>]*>\s*(.)", data, re.DOTALL)
     text = data[:raw.start()] + b"</VTKFile>" if raw else data
     try:
         root = ElementTree.fromstring(text)
     except ElementTree.ParseError as error:
-        raise Damaged(f"its XML cannot be read: {error}") from None
+        raise MeshFileError(f"its XML cannot be read: {error}") from None
     if raw and raw[1] != b"_":
-        raise Damaged(NOT_WHOLE)
+        raise MeshFileError(_NOT_WHOLE)
     file = _file_of(root, data, raw)
     for piece in root.iter("Piece"):
         _check_piece(piece, file, len(data))
@@ -60,7 +86,7 @@ def _file_of(root: ElementTree.Element, data: bytes, raw: re.Match | None) -> _F
     size = "u8" if root.get("header_type") == "UInt64" else "u4"
     compressor = root.get("compressor", "")
     if compressor not in ("", "vtkZLibDataCompressor"):
-        raise Damaged(f"it is compressed by {compressor[:40]}, which is not supported; write it with zlib")
+        raise MeshFileError(f"it is compressed by {compressor[:40]}, which is not supported; write it with zlib")
     is_text = bool(raw) and b'"raw"' not in raw[0] and b"'raw'" not in raw[0]
     return _File(data[raw.end():] if raw else b"", is_text, order, np.dtype(order + size),
                  bool(compressor))
@@ -68,7 +94,7 @@ def _file_of(root: ElementTree.Element, data: bytes, raw: re.Match | None) -> _F
 
 def _count(text: str, file_size: int) -> int:
     if not re.fullmatch("[0-9]{1,15}", text) or int(text) > _ZLIB_RATIO * file_size:
-        raise Damaged(f"it names {text[:30]!r} of something, which a file of this size cannot have; copy or "
+        raise MeshFileError(f"it names {text[:30]!r} of something, which a file of this size cannot have; copy or "
                       "export it again")
     return int(text)
 
@@ -85,7 +111,7 @@ def _check_piece(piece: ElementTree.Element, file: _File, file_size: int) -> Non
         if not arrays and not counts[section]:
             continue
         if not {"connectivity", "offsets"} <= arrays.keys():
-            raise Damaged(f"its {section} are incomplete; export it again")
+            raise MeshFileError(f"its {section} are incomplete; export it again")
         _check_cells(arrays, counts[section], file)
 
 
@@ -93,7 +119,7 @@ def _check_cells(arrays: dict, count: int, file: _File) -> None:
     offsets = _check_array(arrays["offsets"], count, file)
     ends = offsets.astype(np.int64) if offsets is not None else np.zeros(0, np.int64)
     if (np.diff(ends, prepend=0) < 0).any():
-        raise Damaged("its cells do not follow each other; copy or export it again")
+        raise MeshFileError("its cells do not follow each other; copy or export it again")
     _check_array(arrays["connectivity"], int(ends[-1]) if len(ends) else 0, file)
 
 
@@ -110,11 +136,11 @@ def _check_array(array: ElementTree.Element, tuples: int, file: _File) -> np.nda
     elif form == "binary":
         content = _content("".join(array.itertext()).strip().encode(), True, file)
     else:
-        raise Damaged(f"an array is in the format {str(form)[:20]!r}, which is unknown; export it again")
+        raise MeshFileError(f"an array is in the format {str(form)[:20]!r}, which is unknown; export it again")
     if kind is None:  # text, or bits
         return None
     if len(content) != wanted * np.dtype(kind).itemsize:
-        raise Damaged(NOT_WHOLE)
+        raise MeshFileError(_NOT_WHOLE)
     return np.frombuffer(content, np.dtype(file.order + kind))
 
 
@@ -123,11 +149,11 @@ def _check_text(array: ElementTree.Element, wanted: int, kind: str | None) -> np
     if kind is None:
         return None
     if len(words) < wanted:
-        raise Damaged("an array has fewer numbers than it should; was it cut off? export it again")
+        raise MeshFileError("an array has fewer numbers than it should; was it cut off? export it again")
     try:
         return np.array([float(word) for word in words[:wanted]]).astype(kind)
     except (ValueError, OverflowError):
-        raise Damaged("an array holds what is no number; export it again") from None
+        raise MeshFileError("an array holds what is no number; export it again") from None
 
 
 def _content(source: bytes, is_text: bool, file: _File) -> bytes:
@@ -142,7 +168,7 @@ def _content(source: bytes, is_text: bool, file: _File) -> bytes:
     head = _numbers(source, is_text, 0, 3 + count, file)
     block, last, sizes = head[1], head[2], head[3:]
     if last > block:  # VTK divides by a block's size, and looks for blocks that are not there
-        raise Damaged(NOT_WHOLE)
+        raise MeshFileError(_NOT_WHOLE)
     lengths = [block] * (count - 1) + [last or block]
     start = (3 + count) * size
     if is_text:  # the head is a piece of base64 by itself
@@ -156,7 +182,7 @@ def _content(source: bytes, is_text: bool, file: _File) -> bytes:
 def _numbers(source: bytes, is_text: bool, start: int, count: int, file: _File) -> list[int]:
     size = file.header.itemsize
     if count * size > len(source):
-        raise Damaged(NOT_WHOLE)
+        raise MeshFileError(_NOT_WHOLE)
     return np.frombuffer(_bytes(source, is_text, start, count * size), file.header).tolist()
 
 
@@ -168,9 +194,9 @@ def _bytes(source: bytes, is_text: bool, start: int, count: int) -> bytes:
         try:
             found = base64.b64decode(source[:-(-end // 3) * 4], validate=True)[start:end]
         except binascii.Error:
-            raise Damaged(NOT_WHOLE) from None
+            raise MeshFileError(_NOT_WHOLE) from None
     if len(found) != count:
-        raise Damaged(NOT_WHOLE)
+        raise MeshFileError(_NOT_WHOLE)
     return found
 
 
@@ -179,7 +205,7 @@ def _inflated(packed: bytes, at: int, packed_size: int, length: int) -> bytes:
         inflating = zlib.decompressobj()
         block = inflating.decompress(packed[at:at + packed_size], length + 1)
     except zlib.error:
-        raise Damaged(NOT_WHOLE) from None
+        raise MeshFileError(_NOT_WHOLE) from None
     if len(block) != length:
-        raise Damaged(NOT_WHOLE)
+        raise MeshFileError(_NOT_WHOLE)
     return block
