@@ -255,7 +255,7 @@ class BadInputTest(InFolder):
         Path("points.ply").write_text("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
                                       "property float y\nproperty float z\nend_header\n0 0 0\n")
         key = ("--key-file", "my.key")
-        for name, text in (("missing.ply", "no such file"), ("words.ply", "not begin as a PLY"),
+        for name, text in (("missing.ply", "file not found"), ("words.ply", "is it a PLY file?"),
                            ("model.xyz", "cannot read .xyz"), ("points.ply", "no polygons")):
             with self.subTest(name):
                 self.fail_with(name, text, of=("embed", name, "out.ply", *key))
@@ -287,7 +287,7 @@ class BadInputTest(InFolder):
         self.fail_with("would replace", of=("embed", "model.ply", "model.ply", "--force", *key))
         os.link("model.ply", "same.ply")
         self.fail_with("would replace", of=("attack", "model.ply", "same.ply", "--noise", 1, "--force"))
-        self.fail_with("no folder", of=("embed", "model.ply", "no/out.ply", *key))
+        self.fail_with("the folder no does not exist", of=("embed", "model.ply", "no/out.ply", *key))
         self.fail_with("cannot write .off", of=("embed", "model.ply", "out.off", *key))
         self.fail_with("only .vtp", of=("compare", "model.ply", "there.ply", "--output", "d.ply"))
         self.fail_with("spectrum to .csv", of=("harmonics", "model.ply", "out.ply"))

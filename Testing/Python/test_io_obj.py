@@ -107,30 +107,30 @@ class MessageTest(InFolder):
         points = SQUARE_OBJ.split(b"f")[0]
         self.assert_each_refused(".obj", {
             "a long name": (points + b"usemtl " + b"m" * 200 + b"\n" + corners,
-                            "line 5: VTK reads no more than 99 letters"),
-            "a point too far": (points + b"f 1 2 5\n", "a face names number 5 of 4 points"),
+                            "line 5: VTK reads material names of at most 99 characters"),
+            "a point too far": (points + b"f 1 2 5\n", "a face refers to point 5, but the file has 4"),
             "a texture coordinate too far": (points + b"vt 0 0\nf 1/1 2/3 3/1\n",
-                                             "a face names number 3 of 1 texture coordinates"),
+                                             "a face refers to texture coordinate 3, but the file has 1"),
             "a normal too far": (points + b"vn 0 0 1\nf 1//1 2//3 3//1\n",
-                                 "a face names number 3 of 1 normals"),
+                                 "a face refers to normal 3, but the file has 1"),
             "half the normals": (points + b"vn 0 0 1\nf 1//1 2//1 3//1\n" + corners,
-                                 "some faces have normals and some none"),
+                                 "some faces have normals and others have none"),
         })
 
     def test_each_quotes_the_line_that_is_wrong(self):
         corners = b"f 1 2 3\n"
         points = SQUARE_OBJ.split(b"f")[0]
         self.assert_each_refused(".obj", {
-            "a word": (points + b"f 1 2 x\n", "line 5 cannot be understood: 'f 1 2 x'"),
+            "a word": (points + b"f 1 2 x\n", "line 5 is not valid OBJ: 'f 1 2 x'"),
             "a slash at the end": (points + b"vt 0 0\nf 1/1 2/ 3/1\n",
-                                   "line 6 cannot be understood: 'f 1/1 2/ 3/1'"),
+                                   "line 6 is not valid OBJ: 'f 1/1 2/ 3/1'"),
             "two slashes at the end": (points + b"f 1// 2// 3//\n",
-                                       "line 5 cannot be understood: 'f 1// 2// 3//'"),
-            "a slash in front": (points + b"f 1 2 /3\n", "line 5 cannot be understood: 'f 1 2 /3'"),
+                                       "line 5 is not valid OBJ: 'f 1// 2// 3//'"),
+            "a slash in front": (points + b"f 1 2 /3\n", "line 5 is not valid OBJ: 'f 1 2 /3'"),
             "an underscore": (points + b"v 1_0 0 0\n" + corners,
-                              "line 5 cannot be understood: 'v 1_0 0 0'"),
+                              "line 5 is not valid OBJ: 'v 1_0 0 0'"),
             "not finite": (points + b"v nan 0 0\n" + corners,
-                           "line 5 cannot be understood: 'v nan 0 0'"),
+                           "line 5 is not valid OBJ: 'v nan 0 0'"),
         })
 
 

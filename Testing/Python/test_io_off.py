@@ -52,24 +52,24 @@ class ReadingTest(InFolder):
 
     def test_each_says_what_is_wrong(self):
         self.assert_each_refused(".off", {
-            "other file": (b"solid pebble\n", "does not begin with OFF, COFF or NOFF; is it an OFF file?"),
+            "other file": (b"solid pebble\n", "does not start with OFF, COFF or NOFF; is it an OFF file?"),
             "only comments": (b"# OFF\n", "OFF"),
             "binary": (b"OFF BINARY\n\0\0\0\4", "binary"),
             "four dimensions": (SQUARE_OFF.replace(b"OFF", b"4OFF"), "three dimensions"),
             "no counts": (b"OFF\n", "numbers of points"),
             "words for counts": (SQUARE_OFF.replace(b"4 2 5", b"four two"), "numbers of"),
             "negative counts": (SQUARE_OFF.replace(b"4 2 5", b"4 -2 5"), "-2 faces"),
-            "cut off": (SQUARE_OFF[:-8], "4 points and 2 faces announced, 5 lines there", "cut off"),
+            "cut off": (SQUARE_OFF[:-8], "4 points and 2 faces, but 5 lines follow", "cut off"),
             "unannounced colours": (SQUARE_OFF.replace(b"1 1 0\n", b"1 1 0 9 9 9\n"),
                                     "line 5"),
             "a missing coordinate": (SQUARE_OFF.replace(b"1 1 0\n", b"1 1\n"), "line 5"),
             "no number": (SQUARE_OFF.replace(b"1 1 0\n", b"1 1 z\n"), "line 5"),
             "not finite": (
                 SQUARE_OFF.replace(b"1 1 0\n", b"1 1 nan\n"),
-                "line 5 is not a point of 3 finite numbers; colours need COFF in the first line, "
-                "normals NOFF"),
+                "line 5 is not a point of 3 finite numbers; the first line must be COFF for "
+                "colours, NOFF for normals"),
             "a point too far": (SQUARE_OFF.replace(b"0 2 3", b"0 2 4"),
-                                "line 8 is not a face of three or more of 4"),
+                                "line 8 is not a face of three or more of the 4 points"),
             "a negative point": (SQUARE_OFF.replace(b"0 2 3", b"0 2 -1"), "line 8"),
             "a missing corner": (SQUARE_OFF.replace(b"0 2 3", b"0 2"), "line 8"),
             "two corners": (SQUARE_OFF.replace(b"3 0 2 3", b"2 0 2"), "line 8"),

@@ -104,7 +104,7 @@ class ReadingTest(InFolder):
         for faces in ([one, two, [0, 1, 4]], [one, two, [0, 1, 2, -1]]):
             with self.subTest(faces=faces):
                 self.assert_refused(read_mesh, self.file("mesh.ply", binary(faces, ((),) * 3)),
-                                    f"names point {faces[-1][-1]}")
+                                    f"refers to point {faces[-1][-1]}")
 
     def test_texture_coordinates_of_other_names(self):
         rows = b"0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n0 1 0.5 0 1\n"
@@ -221,33 +221,33 @@ class MessageTest(InFolder):
         self.assert_each_refused(".ply", {
             "cut off": (ply()[:60], "the PLY header has no end"),
             "unknown type": (ply().replace(b"float z", b"real z"),
-                             "no such line belongs into a PLY header"),
+                             "its PLY header has an invalid line"),
             "no format": (ply().replace(b"format ascii 1.0\n", b""),
-                          "the PLY header names no format"),
+                          "the PLY header does not say which format it is"),
             "vertices twice": (ply().replace(b"element face", b"element vertex 4\nelement face"),
-                               "must name vertices and faces once"),
-            "no z": (ply().replace(b"float z", b"float height"), "not described by x, y, z"),
+                               "must declare vertices and faces once"),
+            "no z": (ply().replace(b"float z", b"float height"), "its vertices must have x, y and z"),
             "no list": (ply(faces=b"3\n3\n", of_faces=("uchar quality",)),
-                        "its faces have no list vertex_indices"),
+                        "its faces must have one list vertex_indices"),
         })
 
     def test_each_body_says_what_is_wrong(self):
         many = struct.pack("<i300i", 300, *range(3), *[0] * 297) * 2
         self.assert_each_refused(".ply", {
             "a missing corner": (ply(faces=b"3 0 1 2\n3 0 2\n"),
-                                 "face 2 of 2 is not what its header says"),
+                                 "face 2 of 2 does not match the header"),
             "an underscore": (ply(faces=b"3 0 1 2\n3 0 2 0_3\n"),
-                              "face 2 of 2 is not what its header says"),
+                              "face 2 of 2 does not match the header"),
             "a long line": (ply(points=b"0 0 0." + b"0" * 5000 + b"\n1 0 0\n1 1 0\n0 1 0\n"),
-                            "vertex 1 of 4 is a line too long for VTK"),
+                            "the line of vertex 1 of 4 is too long for VTK"),
             "a point too far": (ply(faces=b"3 0 1 2\n3 0 2 4\n"),
-                                "a face names point 4, counted from 0, of 4"),
+                                "a face refers to point 4, but the mesh has 4 points, numbered from 0"),
             "a negative length": (
                 self.binary(b"\xfd" + self.FACES[1:], of_faces=("list char int vertex_indices",)),
                 "a face has a list of -3 values"),
             "binary, cut off": (self.binary(self.FACES[:-4]), "the file ends before its last face"),
             "many corners": (self.binary(many, of_faces=("list int int vertex_indices",)),
-                             "a face has 300 corners, and VTK reads no more than 255"),
+                             "a face has 300 corners, but VTK reads at most 255"),
         })
 
 

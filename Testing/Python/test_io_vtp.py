@@ -74,21 +74,21 @@ class MessageTest(InFolder):
     def test_each_text_says_what_is_wrong(self):
         self.assert_each_refused(".vtp", {
             "no connectivity": (self.TEXT.replace(b"connectivity", b"other"),
-                                "its Polys are incomplete"),
+                                "its cell arrays Polys are incomplete"),
             "no end": (self.TEXT.replace(b"</Piece>", b"").replace(b"</PolyData>", b""),
                        "its XML cannot be read"),
             "a negative offset": (self.TEXT.replace(b">3<", b">-3<"),
-                                  "its cells do not follow each other"),
+                                  "the offsets of its cells do not increase"),
             "a missing corner": (self.TEXT.replace(b"0 1 2<", b"0 1<"),
-                                 "an array has fewer numbers than it should"),
-            "a word": (self.TEXT.replace(b"0 1 2<", b"0 1 z<"), "an array holds what is no number"),
+                                 "an array has too few numbers"),
+            "a word": (self.TEXT.replace(b"0 1 2<", b"0 1 z<"), "an array holds something that is not a number"),
             "an unknown format": (self.TEXT.replace(b'format="ascii">3', b'format="braille">3'),
-                                  "in the format 'braille', which is unknown"),
+                                  "an array has the unknown format 'braille'"),
             "another compressor": (
                 self.TEXT.replace(b'"UInt32"', b'"UInt32" compressor="vtkLZ4DataCompressor"'),
-                "compressed by vtkLZ4DataCompressor, which is not supported"),
+                "its compressor vtkLZ4DataCompressor is not supported"),
             "many points": (self.TEXT.replace(b'Points="3"', b'Points="99999999999"'),
-                            "a file of this size cannot have"),
+                            "it claims a count of '99999999999', which a file of this size cannot have"),
         })
 
     def test_each_binary_part_says_what_is_wrong(self):
@@ -96,7 +96,7 @@ class MessageTest(InFolder):
         appended = (self.folder / "whole.vtp").read_bytes()
         end = appended.rindex(b"</AppendedData>")
         one_block = struct.pack("<II", 1, 32768)
-        text = "its binary part is cut off or was copied as text"
+        text = "its binary part was cut off or copied as text"
         self.assert_each_refused(".vtp", {
             "cut off": (appended[:end - 20] + appended[end:], text),
             "blocks of no bytes": (appended.replace(one_block, struct.pack("<II", 1, 0)), text),

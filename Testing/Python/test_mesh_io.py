@@ -175,7 +175,7 @@ class WritingTest(InFolder):
     def test_a_file_that_is_not_to_be_replaced(self):
         old = self.file("mesh.ply", b"old")
         self.assert_refused(lambda path: write_mesh(triangle(), path, replace=False), old,
-                            "is there already; not replaced")
+                            "already exists; not overwritten")
         self.assertEqual(old.read_bytes(), b"old")
 
     def test_targets_that_cannot_be(self):
@@ -184,7 +184,7 @@ class WritingTest(InFolder):
 
         (self.folder / "folder.ply").mkdir()
         for suffix in WRITTEN:
-            self.assert_refused(write, self.folder / "missing" / f"mesh{suffix}", "no folder")
+            self.assert_refused(write, self.folder / "missing" / f"mesh{suffix}", "missing does not exist; create it first")
         self.assert_refused(write, self.folder / "folder.ply", "is a folder")
         self.assert_refused(write, self.folder / "mesh.off", ".off", ".vtp")
         self.assert_refused(write, self.folder / "mesh", "without a suffix")
@@ -236,7 +236,7 @@ for path in sys.argv[2:]:
 
 class ReadingTest(InFolder):
     def test_no_file_to_read(self):
-        self.assert_refused(read_mesh, self.folder / "missing.ply", "no such file")
+        self.assert_refused(read_mesh, self.folder / "missing.ply", "file not found; check its name and folder")
         self.assert_refused(read_mesh, self.folder, "is a folder")
         self.assert_refused(read_mesh, self.folder / ("x" * 300 + ".ply"), "cannot be read: File name too long")
         self.assert_refused(read_mesh, self.file("mesh.xyz", b"0 0 0"), ".xyz", ".ply", ".off")
@@ -263,7 +263,7 @@ except MeshFileError as error:
         done = subprocess.run([sys.executable, "-c", child, path], capture_output=True, text=True, check=False)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertEqual(done.stdout, f"{path}: not enough memory to read it; close other programs, or simplify "
-                                      "the mesh elsewhere first\n")
+                                      "the mesh in another program first\n")
 
     def test_no_polygons(self):
         writer = vtkXMLPolyDataWriter()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads and writes mesh files; what goes wrong is one line, the text of a MeshFileError.
+"""Reads and writes mesh files. Every failure is a MeshFileError, whose text is one line.
 
     from spectralwatermark import vtkSpectralWatermarkEmbed
     from spectralwatermark.io import read_mesh, stores_float, write_mesh
@@ -11,8 +11,8 @@
     embed.Update()
     write_mesh(embed.GetOutput(), "marked.ply")
 
-The suffix decides the format, in capitals or not. VTK 9.1 does the reading and writing, and this is
-what it carries:
+The suffix decides the format, in capitals or not. VTK 9.1 reads and writes every format but OFF,
+which it does not know. Each file is checked before VTK reads it. The formats carry:
 
     format  in   out  coordinates      normals  colours        texture coords  names
     ------  ---  ---  ---------------  -------  -------------  --------------  -----------------
@@ -22,23 +22,27 @@ what it carries:
     .vtp    yes  yes  as in the mesh   yes      yes            yes             yes: every array
     .off    yes  no   read as float64  points   points         points          no
 
-PLY   Binary or text in, binary out. VTK has no way to write normals into it. Colours are of 8 bits,
-      RGB or RGBA: the arrays RGB or RGBA, or active 8-bit scalars of 3 or 4 components. Texture
-      coordinates are those of points (u, v; texture_u, texture_v; s, t); those of face corners
-      (`texcoord` lists) are left out, since VTK joins different points that share one. Comments,
-      which name the texture's picture, travel as the field data array PLYComments.
-OBJ   Coordinates are written in full: a float32 comes back as the same float32. A point of several
-      texture coordinates or normals, as at a seam, becomes several points, numbered as the faces
-      come to them, and is written so. The texture coordinates of all materials become one array,
-      TCoords. `usemtl` and `mtllib` are kept (MaterialIds, MaterialNames, MaterialLibraries), but
-      VTK may read the first material of faces without texture coordinates as NO_MATERIAL; the names
-      of groups and objects, and colours after coordinates, it does not read.
-STL   Binary or text in, binary out, in triangles. Points are the corners that have the same
-      coordinates: their numbers change, triangles without area go.
-VTP   Everything, in its own data type, compressed.
-OFF   OFF, COFF, NOFF, STOFF and their combinations, as text; the colours of faces are left out.
+PLY   Text or binary is read, binary is written. VTK cannot write normals to PLY. Colours have 8
+      bits, RGB or RGBA: the arrays RGB or RGBA, or active 8-bit scalars of 3 or 4 components.
+      Texture coordinates belong to points (u, v; texture_u, texture_v; s, t). Those of face corners
+      (`texcoord` lists) are left out, because VTK merges different points that share one. Comments,
+      which name the texture's picture, become the field data array PLYComments.
+OBJ   Coordinates are written in full: a float32 is read back as the same float32. A point that has
+      several texture coordinates or normals, as at a seam, becomes several points, numbered in the
+      order of the faces, and is written so. The texture coordinates of all materials become one
+      array, TCoords. `usemtl` and `mtllib` are kept (MaterialIds, MaterialNames,
+      MaterialLibraries), but VTK may read the first material as NO_MATERIAL where its faces have no
+      texture coordinates. VTK does not read the names of groups and objects, nor colours that
+      follow coordinates.
+STL   Text or binary is read, binary is written, in triangles. Corners with the same coordinates
+      become one point, so points get other numbers. Triangles without area are left out.
+VTP   Everything is kept, in its own data type, and compressed.
+OFF   OFF, COFF, NOFF, STOFF and their combinations are read, as text. Colours of faces are left
+      out.
 
-PLY, OBJ and STL hold polygons (OBJ lines, too); strips are written as triangles.
+PLY, OBJ and STL hold polygons, and OBJ lines too. Strips are written as triangles.
+
+meshio replaces none of the readers: the docstring of each format's module says why.
 """
 
 from __future__ import annotations
@@ -55,9 +59,11 @@ from .checks import check_cells
 from .errors import NO_POLYGONS, MeshFileError, system_errors
 from .memory import FREE_MEMORY, require_memory
 
-__all__ = ["MeshFileError", "check_writable", "read_mesh", "stores_float", "write_file", "write_mesh"]
+__all__ = [
+    "MeshFileError", "check_writable", "read_mesh", "stores_float", "write_file", "write_mesh"
+]
 
-# A format is a module with read(path), with MEMORY_PER_BYTE, and with write(mesh, path) if it is written.
+# Each module has read(path) and MEMORY_PER_BYTE, and also write(mesh, path) if VTK can write it.
 _READ = {".ply": ply, ".obj": obj, ".stl": stl, ".vtp": vtp, ".off": off}
 _WRITTEN = {suffix: module for suffix, module in _READ.items() if hasattr(module, "write")}
 
@@ -69,7 +75,7 @@ def read_mesh(path: str | os.PathLike) -> vtkPolyData:
         if path.is_dir():
             raise MeshFileError(f"{path}: this is a folder; name a file in it")
         if not path.exists():
-            raise MeshFileError(f"{path}: no such file; look at its name and folder")
+            raise MeshFileError(f"{path}: file not found; check its name and folder")
         module = _READ[_suffix(path, _READ, "read")]
         try:
             return _read(module, path)
@@ -82,7 +88,7 @@ def read_mesh(path: str | os.PathLike) -> vtkPolyData:
 def _read(module: ModuleType, path: Path) -> vtkPolyData:
     size = path.stat().st_size
     if size == 0:
-        raise MeshFileError("the file is empty; save or copy it again")
+        raise MeshFileError("the file is empty; copy or export it again")
     require_memory(size * module.MEMORY_PER_BYTE)
     mesh = module.read(path)
     if not _has_surface(mesh):
@@ -94,14 +100,14 @@ def _read(module: ModuleType, path: Path) -> vtkPolyData:
 def write_mesh(mesh: vtkPolyData, path: str | os.PathLike, replace: bool = True) -> None:
     """Writes a PLY, OBJ, STL or VTP file, whole or not at all; raises MeshFileError.
 
-    A file that is there already keeps its permissions, and stays as it is when writing fails, when it is
-    read-only, or when it is not to be replaced.
+    A file that already exists keeps its permissions. It stays unchanged when writing fails, when it
+    is read-only, and when `replace` is false.
     """
     path = Path(path)
     check_writable(path)
     module = _WRITTEN[_suffix(path, _WRITTEN, "write")]
     if not _has_surface(mesh):
-        raise MeshFileError(f"{path}: not written: no polygons in the mesh")
+        raise MeshFileError(f"{path}: not written: the mesh has no polygons; a surface is needed")
 
     def write(partial: Path) -> None:
         check_cells(mesh)
@@ -111,10 +117,10 @@ def write_mesh(mesh: vtkPolyData, path: str | os.PathLike, replace: bool = True)
 
 
 def stores_float(path: str | os.PathLike) -> bool:
-    """Whether write_mesh puts float32 coordinates into a file of this name, whatever the mesh has.
+    """Whether write_mesh rounds coordinates to float32 in a file of this name.
 
-    A mark to be read from such a file must hold on float32 coordinates: embed with
-    OutputPointsPrecision SINGLE_PRECISION, and it is verified on them.
+    A mark in such a file must survive the rounding: embed with OutputPointsPrecision
+    SINGLE_PRECISION, which verifies the mark on the rounded coordinates.
     """
     return _suffix(Path(path), _WRITTEN, "write") != ".vtp"
 

@@ -27,7 +27,7 @@ def write_file(
             write(partial)
             _move(partial, target, replace)
         except FileExistsError:
-            raise MeshFileError(f"{path}: is there already; not replaced") from None
+            raise MeshFileError(f"{path}: already exists; not overwritten") from None
         except MeshFileError as error:
             raise MeshFileError(f"{path}: not written: {error}") from None
         finally:
@@ -54,9 +54,10 @@ def check_writable(path: str | os.PathLike) -> None:
             raise MeshFileError(f"{path}: this is a folder; name a file in it")
         folder = Path(os.path.realpath(path)).parent
         if not folder.is_dir():
-            raise MeshFileError(f"{path}: there is no folder {path.parent}; make it first")
+            raise MeshFileError(f"{path}: the folder {path.parent} does not exist; create it first")
         if not os.access(folder, os.W_OK | os.X_OK):
             raise MeshFileError(
-                f"{path}: cannot be written: no permission to write into {path.parent}")
+                f"{path}: cannot be written: no permission to write to the folder {path.parent}; "
+                "choose another folder")
         if path.exists() and not os.access(path, os.W_OK):
-            raise MeshFileError(f"{path}: is not replaced: it is read-only")
+            raise MeshFileError(f"{path}: not overwritten: it is read-only; choose another name")

@@ -18,15 +18,15 @@ def check_cells(mesh: vtkPolyData) -> None:
         if corners.size:
             check_corners(corners.min(), corners.max(), mesh.GetNumberOfPoints())
         if (np.diff(vtk_to_numpy(cells.GetOffsetsArray())) < least).any():
-            raise MeshFileError(f"a {what} has fewer than {least} points; remove it")
+            raise MeshFileError(f"a {what} has fewer than {least} points; remove it from the mesh")
 
 
 def check_corners(lowest: int, highest: int, points: int) -> None:
     """Raises MeshFileError when a face refers to a point that does not exist."""
     for corner in (lowest, highest):
         if not 0 <= corner < points:
-            raise MeshFileError(f"a face names point {corner}, counted from 0, of {points}; "
-                                "export it again")
+            raise MeshFileError(f"a face refers to point {corner}, but the mesh has {points} "
+                                "points, numbered from 0; export it again")
 
 
 def refuse_underscores(words: list[bytes]) -> None:

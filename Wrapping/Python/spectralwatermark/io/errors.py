@@ -12,7 +12,7 @@ class MeshFileError(Exception):
     """A file that cannot be read or written; its text is one line: what is wrong, what to do."""
 
 
-NO_POLYGONS = "no polygons in it; is it a surface mesh?"
+NO_POLYGONS = "the file has no polygons; export it as a surface mesh"
 CUT_OFF = "the file ends before its last face; it was cut off: copy or export it again"
 
 

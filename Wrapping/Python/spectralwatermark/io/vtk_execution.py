@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from .errors import MeshFileError
 
-INCOMPLETE = "VTK left it incomplete; is the disk full?"
+INCOMPLETE = "VTK did not write all of it; is the disk full?"
 
 
 def run_reader(reader: vtkAlgorithm) -> vtkPolyData:

@@ -4,6 +4,8 @@
 VTK 9.1 trusts the numbers of points and cells, and the places and lengths of arrays, in the file's
 XML. It aborts when they ask for more memory than there is, and reads beyond the end of shorter
 arrays. So the file is compared with its XML before VTK reads it.
+
+meshio has no reader for VTP.
 """
 
 from __future__ import annotations
@@ -26,12 +28,12 @@ from .vtk_execution import run_reader, run_writer
 # See memory.py.
 MEMORY_PER_BYTE = 4.0
 
-_NOT_WHOLE = "its binary part is cut off or was copied as text; copy or export it again"
+_NOT_WHOLE = "its binary part was cut off or copied as text; copy or export it again"
 
 _TYPES = {"Int8": "i1", "UInt8": "u1", "Int16": "i2", "UInt16": "u2", "Int32": "i4", "UInt32": "u4",
           "Int64": "i8", "UInt64": "u8", "Float32": "f4", "Float64": "f8"}
 _CELLS = ("Verts", "Lines", "Strips", "Polys")
-# A byte of zlib holds at most so many bytes.
+# zlib compresses at most this many bytes into one.
 _ZLIB_RATIO = 1032
 
 
@@ -56,10 +58,13 @@ def write(mesh: vtkPolyData, path: Path) -> None:
 
 @dataclass
 class _File:
-    appended: bytes  # after the _
+    # The appended arrays, which follow an underscore.
+    appended: bytes
     appended_is_text: bool
-    order: str  # < or >
-    header: np.dtype  # of the numbers in front of an array
+    # The byte order: < or >.
+    order: str
+    # The type of the numbers in front of an array.
+    header: np.dtype
     is_compressed: bool
 
 
@@ -70,13 +75,13 @@ def check(data: bytes) -> None:
     try:
         root = ElementTree.fromstring(text)
     except ElementTree.ParseError as error:
-        raise MeshFileError(f"its XML cannot be read: {error}") from None
+        raise MeshFileError(f"its XML cannot be read: {error}; copy or export it again") from None
     if raw and raw[1] != b"_":
         raise MeshFileError(_NOT_WHOLE)
     file = _file_of(root, data, raw)
     for piece in root.iter("Piece"):
         _check_piece(piece, file, len(data))
-    # Arrays of the whole file say themselves how long they are.
+    # Each array of the whole file states its own length.
     for array in root.iterfind(".//FieldData/*"):
         _check_array(array, _count(array.get("NumberOfTuples", "1"), len(data)), file)
 
@@ -86,7 +91,8 @@ def _file_of(root: ElementTree.Element, data: bytes, raw: re.Match | None) -> _F
     size = "u8" if root.get("header_type") == "UInt64" else "u4"
     compressor = root.get("compressor", "")
     if compressor not in ("", "vtkZLibDataCompressor"):
-        raise MeshFileError(f"it is compressed by {compressor[:40]}, which is not supported; write it with zlib")
+        raise MeshFileError(f"its compressor {compressor[:40]} is not supported; "
+                            "save it with zlib compression")
     is_text = bool(raw) and b'"raw"' not in raw[0] and b"'raw'" not in raw[0]
     return _File(data[raw.end():] if raw else b"", is_text, order, np.dtype(order + size),
                  bool(compressor))
@@ -94,8 +100,8 @@ def _file_of(root: ElementTree.Element, data: bytes, raw: re.Match | None) -> _F
 
 def _count(text: str, file_size: int) -> int:
     if not re.fullmatch("[0-9]{1,15}", text) or int(text) > _ZLIB_RATIO * file_size:
-        raise MeshFileError(f"it names {text[:30]!r} of something, which a file of this size cannot have; copy or "
-                      "export it again")
+        raise MeshFileError(f"it claims a count of {text[:30]!r}, which a file of this size cannot "
+                            "have; copy or export it again")
     return int(text)
 
 
@@ -111,7 +117,7 @@ def _check_piece(piece: ElementTree.Element, file: _File, file_size: int) -> Non
         if not arrays and not counts[section]:
             continue
         if not {"connectivity", "offsets"} <= arrays.keys():
-            raise MeshFileError(f"its {section} are incomplete; export it again")
+            raise MeshFileError(f"its cell arrays {section} are incomplete; export it again")
         _check_cells(arrays, counts[section], file)
 
 
@@ -119,12 +125,12 @@ def _check_cells(arrays: dict, count: int, file: _File) -> None:
     offsets = _check_array(arrays["offsets"], count, file)
     ends = offsets.astype(np.int64) if offsets is not None else np.zeros(0, np.int64)
     if (np.diff(ends, prepend=0) < 0).any():
-        raise MeshFileError("its cells do not follow each other; copy or export it again")
+        raise MeshFileError("the offsets of its cells do not increase; copy or export it again")
     _check_array(arrays["connectivity"], int(ends[-1]) if len(ends) else 0, file)
 
 
 def _check_array(array: ElementTree.Element, tuples: int, file: _File) -> np.ndarray | None:
-    """The array's values, where it has numbers that say how many there must be."""
+    """Checks the array's length; returns its values if they are binary or text numbers."""
     form = array.get("format")
     wanted = tuples * _count(array.get("NumberOfComponents", "1"), 1 << 20)
     kind = _TYPES.get(array.get("type"))
@@ -136,8 +142,9 @@ def _check_array(array: ElementTree.Element, tuples: int, file: _File) -> np.nda
     elif form == "binary":
         content = _content("".join(array.itertext()).strip().encode(), True, file)
     else:
-        raise MeshFileError(f"an array is in the format {str(form)[:20]!r}, which is unknown; export it again")
-    if kind is None:  # text, or bits
+        raise MeshFileError(f"an array has the unknown format {str(form)[:20]!r}; export it again")
+    # The length of text and bits is not known.
+    if kind is None:
         return None
     if len(content) != wanted * np.dtype(kind).itemsize:
         raise MeshFileError(_NOT_WHOLE)
@@ -149,34 +156,37 @@ def _check_text(array: ElementTree.Element, wanted: int, kind: str | None) -> np
     if kind is None:
         return None
     if len(words) < wanted:
-        raise MeshFileError("an array has fewer numbers than it should; was it cut off? export it again")
+        raise MeshFileError("an array has too few numbers; was it cut off? copy or export it again")
     try:
         return np.array([float(word) for word in words[:wanted]]).astype(kind)
     except (ValueError, OverflowError):
-        raise MeshFileError("an array holds what is no number; export it again") from None
+        raise MeshFileError("an array holds something that is not a number; export it "
+                            "again") from None
 
 
 def _content(source: bytes, is_text: bool, file: _File) -> bytes:
-    """The bytes of an array whose head is at the front of `source`."""
+    """The bytes of an array whose header is at the front of `source`."""
     size = file.header.itemsize
     (count,) = _numbers(source, is_text, 0, 1, file)
     if not file.is_compressed:
         return _bytes(source, is_text, 0, size + count)[size:]
-    # The number of blocks, the size of each, of the last (0: as the others), and of each when compressed.
     if count == 0:
         return b""
+    # The header holds the number of blocks, the size of a block, the size of the last block (0: as
+    # large as the others), and the compressed size of every block.
     head = _numbers(source, is_text, 0, 3 + count, file)
     block, last, sizes = head[1], head[2], head[3:]
-    if last > block:  # VTK divides by a block's size, and looks for blocks that are not there
+    # VTK would divide by a size of 0, and look for blocks that do not exist.
+    if last > block:
         raise MeshFileError(_NOT_WHOLE)
     lengths = [block] * (count - 1) + [last or block]
     start = (3 + count) * size
-    if is_text:  # the head is a piece of base64 by itself
+    # The header is encoded on its own.
+    if is_text:
         source, start = source[-(-start // 3) * 4:], 0
     packed = _bytes(source, is_text, start, sum(sizes))
-    content = b"".join(_inflated(packed, at, packed_size, length) for at, packed_size, length in zip(
-        np.cumsum([0, *sizes]).tolist(), sizes, lengths))
-    return content
+    starts = np.cumsum([0, *sizes]).tolist()
+    return b"".join(_inflated(packed, *place) for place in zip(starts, sizes, lengths))
 
 
 def _numbers(source: bytes, is_text: bool, start: int, count: int, file: _File) -> list[int]:
