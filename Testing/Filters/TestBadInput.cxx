@@ -397,8 +397,7 @@ TEST(BadInput, MessageLongerThanTheSpectrum)
   embed->SetSchemeToPaperSlots();
   embed->SetInputData(PolyData(shapes::Bumpy(2))); // 162 vertices
   embed->SetMessage("101010101010101");
-  ExpectEmbedError(embed, "Message",
-    "15 bits need 170 harmonics, and the mesh has only 162");
+  ExpectEmbedError(embed, "Message", "15 bits need 170 harmonics, and the mesh has only 162");
 }
 
 TEST(BadInput, SlotsBeyondTheHarmonics)

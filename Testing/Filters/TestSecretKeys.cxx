@@ -183,7 +183,8 @@ TEST_F(SecretKeys, FilesThatCannotBeUsedAreErrors)
 {
   this->Embed->SetSecretKey(nullptr);
   this->Embed->SetSecretKeyFile("/no/such/file.key");
-  EXPECT_NE(this->ErrorOf(this->Embed).find("SecretKeyFile: the file \"/no/such/file.key\" cannot be read"),
+  EXPECT_NE(
+    this->ErrorOf(this->Embed).find("SecretKeyFile: the file \"/no/such/file.key\" cannot be read"),
     std::string::npos);
   this->Embed->SetSecretKeyFile(testing::TempDir().c_str());
   EXPECT_NE(this->ErrorOf(this->Embed).find("cannot be read"), std::string::npos);
@@ -202,7 +203,8 @@ TEST_F(SecretKeys, ContradictionsAreErrors)
 {
   this->Detect->SetInputData(PolyData(shapes::Bumpy(3)));
   this->Detect->UseDerivedMessageOn();
-  EXPECT_NE(this->ErrorOf(this->Detect).find("no secret key to derive a message from"), std::string::npos);
+  EXPECT_NE(this->ErrorOf(this->Detect).find("no secret key to derive a message from"),
+    std::string::npos);
   this->Detect->SetSecretKey("a key");
   this->Detect->SetExpectedMessage("101");
   EXPECT_NE(this->ErrorOf(this->Detect).find("only one message"), std::string::npos);

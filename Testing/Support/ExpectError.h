@@ -30,8 +30,8 @@ inline void ExpectError(vtkPolyDataAlgorithm* filter, const std::string& paramet
   EXPECT_EQ(own->GetErrorParameter(), parameter) << filter->GetClassName();
   const std::string reason = own->GetErrorReason();
   const std::string advice = own->GetErrorAdvice();
-  const std::string text = (parameter.empty() ? "" : parameter + ": ") + reason +
-    (advice.empty() ? "" : "; " + advice);
+  const std::string text =
+    (parameter.empty() ? "" : parameter + ": ") + reason + (advice.empty() ? "" : "; " + advice);
   EXPECT_NE(text.find(piece), std::string::npos) << filter->GetClassName() << " said: " << text;
   EXPECT_NE(listener.Errors.find(text), std::string::npos) << listener.Errors;
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << filter->GetClassName();
