@@ -17,6 +17,17 @@
 namespace filtertesting
 {
 
+inline void ExpectEmptyOutputs(vtkPolyDataAlgorithm* filter)
+{
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << filter->GetClassName();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0) << filter->GetClassName();
+  if (filter->GetNumberOfOutputPorts() == 2)
+  {
+    auto* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
+    EXPECT_EQ(table->GetNumberOfColumns(), 0) << filter->GetClassName();
+  }
+}
+
 /// Expects that the filter's update fails: with this error code and parameter ("" for the mesh), a text that
 /// is made of the error's parts and has this piece, and empty outputs.
 inline void ExpectError(vtkPolyDataAlgorithm* filter, const std::string& parameter,
@@ -34,13 +45,7 @@ inline void ExpectError(vtkPolyDataAlgorithm* filter, const std::string& paramet
     (parameter.empty() ? "" : parameter + ": ") + reason + (advice.empty() ? "" : "; " + advice);
   EXPECT_NE(text.find(piece), std::string::npos) << filter->GetClassName() << " said: " << text;
   EXPECT_NE(listener.Errors.find(text), std::string::npos) << listener.Errors;
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << filter->GetClassName();
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0) << filter->GetClassName();
-  if (filter->GetNumberOfOutputPorts() == 2)
-  {
-    auto* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
-    EXPECT_EQ(table->GetNumberOfColumns(), 0) << filter->GetClassName();
-  }
+  ExpectEmptyOutputs(filter);
 }
 
 } // namespace filtertesting
