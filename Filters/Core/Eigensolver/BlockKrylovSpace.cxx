@@ -170,7 +170,7 @@ Eigen::MatrixXd BlockKrylovSpace::Projected() const
   Eigen::MatrixXd t = Eigen::MatrixXd::Zero(size, size);
   for (Index j = 0; j < size; j += BlockWidth)
   {
-    const auto block = static_cast<std::size_t>(j / BlockWidth);
+    const Index block = j / BlockWidth;
     t.block(j, j, BlockWidth, BlockWidth) = this->Diagonal[block];
     if (j + BlockWidth < size)
     {

@@ -122,7 +122,7 @@ Selection SelectNearest(std::vector<std::pair<double, Index>> values, double shi
     { return std::abs(a.first - shift) < std::abs(b.first - shift); });
   Selection selection;
   selection.Enough = static_cast<Index>(values.size()) >= count;
-  values.resize(std::min(values.size(), static_cast<std::size_t>(count)));
+  values.resize(std::min<std::size_t>(values.size(), count));
   std::sort(values.begin(), values.end());
   for (const auto& [value, pair] : values)
   {
@@ -142,8 +142,7 @@ Selection SelectWanted(const Eigen::VectorXd& theta, double shift, const BandReq
     [shift](const auto& value) { return value.first < shift; });
   const Index below = std::min<Index>(request.Below, firstAbove - values.begin());
   values.erase(values.begin(), firstAbove - below);
-  const std::size_t end = EndBeforeGap(values, static_cast<std::size_t>(below + request.Above),
-    static_cast<std::size_t>(request.Window));
+  const std::size_t end = EndBeforeGap(values, below + request.Above, request.Window);
   Selection selection;
   selection.Enough = below == request.Below && end > 0;
   if (end > 0)
@@ -366,7 +365,7 @@ Band BlockLanczos::Refined(const BlockKrylovSpace& space, const RitzPairs& ritz,
   Eigen::MatrixXd coefficients(space.Size(), count);
   for (Index i = 0; i < count; ++i)
   {
-    const Index k = kept[static_cast<std::size_t>(i)];
+    const Index k = kept[i];
     coefficients.col(i) = ritz.Coefficients.col(k) / ritz.Theta[k];
   }
   MultiVector vectors = space.Combine(coefficients);
@@ -424,10 +423,8 @@ void BlockLanczos::LeaveOutInaccurate(Band& band, double tolerance) const
 
 double BlockLanczos::ResidualFloor(const Band& band, Index column) const
 {
-  const Eigen::VectorXd vector =
-    band.Vectors[static_cast<std::size_t>(column / BlockWidth)].col(column % BlockWidth);
-  const Eigen::VectorXd value =
-    Eigen::VectorXd::Constant(1, band.Values[static_cast<std::size_t>(column)]);
+  const Eigen::VectorXd vector = band.Vectors[column / BlockWidth].col(column % BlockWidth);
+  const Eigen::VectorXd value = Eigen::VectorXd::Constant(1, band.Values[column]);
   return ResidualFloors(this->Stiffness(), this->Mass(), 1.0, value, vector)[0];
 }
 

@@ -147,7 +147,7 @@ public:
 private:
   Eigen::MatrixXd AllColumns(MultiVector blocks) const
   {
-    std::vector<Index> columns(static_cast<std::size_t>(BlockWidth) * blocks.size());
+    std::vector<Index> columns(BlockWidth * blocks.size());
     std::iota(columns.begin(), columns.end(), Index{ 0 });
     return TakeColumns(std::move(blocks), columns, this->SameOrder, 1);
   }

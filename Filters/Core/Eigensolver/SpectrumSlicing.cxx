@@ -49,10 +49,8 @@ public:
     , InitialGuess(options.InitialGuess)
     , Threads(options.Threads)
   {
-    const auto kernel = static_cast<std::size_t>(problem.Kernel.cols());
-    this->Append(
-      { std::vector<double>(kernel, 0.0), ToMultiVector(problem.Kernel, solver.Order()), true },
-      Progress());
+    const std::vector<double> zeros(problem.Kernel.cols(), 0.0);
+    this->Append({ zeros, ToMultiVector(problem.Kernel, solver.Order()), true }, Progress());
   }
 
   bool Finished() const { return this->Found() >= this->Wanted; }
@@ -125,7 +123,7 @@ double BandSequence::LocalSpacing() const
     return WeylSpacing;
   }
   const std::size_t last = this->Values.size() - 1;
-  const std::size_t middle = (static_cast<std::size_t>(this->Problem.Kernel.cols()) + last) / 2;
+  const std::size_t middle = (this->Problem.Kernel.cols() + last) / 2;
   return last > middle
     ? (this->Values[last] - this->Values[middle]) / static_cast<double>(last - middle)
     : this->Values[last] / static_cast<double>(last + 1);
@@ -266,26 +264,24 @@ bool BandSequence::Cut(Band& band, Index target, const Progress& progress)
   double widest = 0.0;
   for (Index k = std::max<Index>(target, 1); k <= size; ++k)
   {
-    const double gap =
-      values[static_cast<std::size_t>(k)] - values[static_cast<std::size_t>(k - 1)];
+    const double gap = values[k] - values[k - 1];
     if (gap > widest)
     {
       widest = gap;
       cut = k;
     }
   }
-  if (cut < 0 || widest < MinimalGap * values[static_cast<std::size_t>(cut)])
+  if (cut < 0 || widest < MinimalGap * values[cut])
   {
     return false;
   }
-  const double upperCut =
-    0.5 * (values[static_cast<std::size_t>(cut)] + values[static_cast<std::size_t>(cut - 1)]);
+  const double upperCut = 0.5 * (values[cut] + values[cut - 1]);
   const Index below = this->Solver.Factorize(upperCut, progress);
   if (below != this->Found() + cut)
   {
     return false;
   }
-  band.Values.resize(static_cast<std::size_t>(cut));
+  band.Values.resize(cut);
   this->LowerCut = upperCut;
   return true;
 }
@@ -408,7 +404,7 @@ EigenPairs BandSequence::TakeResult()
   pairs.Residuals.resize(count);
   for (Index k = 0; k < count; ++k)
   {
-    pairs.Residuals[k] = residuals[columns[static_cast<std::size_t>(k)]];
+    pairs.Residuals[k] = residuals[columns[k]];
   }
   pairs.Vectors =
     TakeColumns(std::move(this->Vectors), columns, this->Solver.Order(), this->Threads);

@@ -50,12 +50,12 @@ Eigen::Vector3d MollifiedCotangents(std::array<double, 3> length, double missing
   }
   const double area = AreaFromLengths(length);
   Eigen::Vector3d cotangents;
-  for (std::size_t i = 0; i < 3; ++i)
+  for (int i = 0; i < 3; ++i)
   {
     const double a = length[i];
     const double b = length[(i + 1) % 3];
     const double c = length[(i + 2) % 3];
-    cotangents[static_cast<Index>(i)] = (b * b + c * c - a * a) / (4.0 * area);
+    cotangents[i] = (b * b + c * c - a * a) / (4.0 * area);
   }
   return cotangents;
 }
@@ -63,13 +63,13 @@ Eigen::Vector3d MollifiedCotangents(std::array<double, 3> length, double missing
 TriangleElement MakeElement(const TriangleMesh& mesh, Index t)
 {
   std::array<Eigen::Vector3d, 3> point;
-  for (std::size_t i = 0; i < 3; ++i)
+  for (int i = 0; i < 3; ++i)
   {
-    point[i] = mesh.Points.row(mesh.Triangles(t, static_cast<Index>(i))).transpose();
+    point[i] = mesh.Points.row(mesh.Triangles(t, i)).transpose();
   }
-  std::array<Eigen::Vector3d, 3> edge; // opposite to each corner
+  std::array<Eigen::Vector3d, 3> edge; // the edge opposite to each corner
   std::array<double, 3> length;
-  for (std::size_t i = 0; i < 3; ++i)
+  for (int i = 0; i < 3; ++i)
   {
     edge[i] = point[(i + 2) % 3] - point[(i + 1) % 3];
     length[i] = edge[i].norm();
@@ -82,10 +82,9 @@ TriangleElement MakeElement(const TriangleMesh& mesh, Index t)
   element.Area = 0.5 * doubleArea;
   if (slack >= MinimalSlack * longest && doubleArea > 0.0)
   {
-    for (std::size_t i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i)
     {
-      element.Cotangents[static_cast<Index>(i)] =
-        -edge[(i + 1) % 3].dot(edge[(i + 2) % 3]) / doubleArea;
+      element.Cotangents[i] = -edge[(i + 1) % 3].dot(edge[(i + 2) % 3]) / doubleArea;
     }
   }
   else if (longest > 0.0)
@@ -98,14 +97,14 @@ TriangleElement MakeElement(const TriangleMesh& mesh, Index t)
 // Lowest vertex of each vertex's connected component.
 std::vector<Index> ComponentOfVertices(const TriangleMesh& mesh)
 {
-  std::vector<Index> parent(static_cast<std::size_t>(mesh.NumberOfVertices()));
+  std::vector<Index> parent(mesh.NumberOfVertices());
   std::iota(parent.begin(), parent.end(), Index{ 0 });
   const auto find = [&parent](Index v)
   {
-    while (parent[static_cast<std::size_t>(v)] != v)
+    while (parent[v] != v)
     {
-      auto& up = parent[static_cast<std::size_t>(v)];
-      up = parent[static_cast<std::size_t>(up)];
+      Index& up = parent[v];
+      up = parent[up];
       v = up;
     }
     return v;
@@ -116,13 +115,13 @@ std::vector<Index> ComponentOfVertices(const TriangleMesh& mesh)
     {
       const Index a = find(mesh.Triangles(t, 0));
       const Index b = find(mesh.Triangles(t, corner));
-      parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+      parent[std::max(a, b)] = std::min(a, b);
     }
   }
   std::vector<Index> component(parent.size());
   for (Index v = 0; v < mesh.NumberOfVertices(); ++v)
   {
-    component[static_cast<std::size_t>(v)] = find(v);
+    component[v] = find(v);
   }
   return component;
 }
@@ -134,8 +133,7 @@ std::vector<Index> LiveComponents(const std::vector<Index>& componentOf,
   std::vector<Index> live;
   for (Index v = 0; v < componentArea.size(); ++v)
   {
-    if (componentOf[static_cast<std::size_t>(v)] == v &&
-      componentArea[v] > MinimalComponentShare * totalArea)
+    if (componentOf[v] == v && componentArea[v] > MinimalComponentShare * totalArea)
     {
       live.push_back(v);
     }
@@ -155,7 +153,7 @@ Eigen::MatrixXd KernelBasis(const std::vector<Index>& componentOf, const std::ve
   std::vector<Index> rankOf(componentOf.size(), -1);
   for (Index k = 0; k < count; ++k)
   {
-    rankOf[static_cast<std::size_t>(live[static_cast<std::size_t>(k)])] = k;
+    rankOf[live[k]] = k;
   }
   // rest[k]: area of components k, k + 1, ...
   std::vector<double> rest(live.size() + 1, 0.0);
@@ -166,7 +164,7 @@ Eigen::MatrixXd KernelBasis(const std::vector<Index>& componentOf, const std::ve
   Eigen::MatrixXd kernel = Eigen::MatrixXd::Zero(n, count);
   for (Index v = 0; v < n; ++v)
   {
-    const Index rank = rankOf[static_cast<std::size_t>(componentOf[static_cast<std::size_t>(v)])];
+    const Index rank = rankOf[componentOf[v]];
     if (rank < 0)
     {
       continue;
@@ -175,8 +173,8 @@ Eigen::MatrixXd KernelBasis(const std::vector<Index>& componentOf, const std::ve
     for (Index k = 1; k < count && k <= rank + 1; ++k)
     {
       // Column k tells component k - 1 from those after it.
-      const double own = componentArea[live[static_cast<std::size_t>(k - 1)]];
-      const double others = rest[static_cast<std::size_t>(k)];
+      const double own = componentArea[live[k - 1]];
+      const double others = rest[k];
       const double scale = 1.0 / std::sqrt(own * others * (own + others));
       kernel(v, k) = (rank == k - 1) ? others * scale : -own * scale;
     }
@@ -247,14 +245,13 @@ LaplaceOperator AssembleLaplaceOperator(const TriangleMesh& mesh, MassMatrix kin
   CheckMatrixSize(n, triangleCount);
 
   std::vector<TriangleElement> elements;
-  elements.reserve(static_cast<std::size_t>(triangleCount));
+  elements.reserve(triangleCount);
   const std::vector<Index> componentOf = ComponentOfVertices(mesh);
   Eigen::VectorXd componentArea = Eigen::VectorXd::Zero(n);
   for (Index t = 0; t < triangleCount; ++t)
   {
     elements.push_back(MakeElement(mesh, t));
-    componentArea[componentOf[static_cast<std::size_t>(mesh.Triangles(t, 0))]] +=
-      elements.back().Area;
+    componentArea[componentOf[mesh.Triangles(t, 0)]] += elements.back().Area;
   }
   const double totalArea = componentArea.sum();
   if (!(totalArea > 0.0) || !std::isfinite(totalArea))
@@ -265,26 +262,25 @@ LaplaceOperator AssembleLaplaceOperator(const TriangleMesh& mesh, MassMatrix kin
       "check the mesh's scale and cells");
   }
   const std::vector<Index> live = LiveComponents(componentOf, componentArea, totalArea);
-  std::vector<char> isLive(static_cast<std::size_t>(n), 0);
+  std::vector<char> isLive(n, 0);
   for (const Index root : live)
   {
-    isLive[static_cast<std::size_t>(root)] = 1;
+    isLive[root] = 1;
   }
-  const auto lives = [&](Index v)
-  { return isLive[static_cast<std::size_t>(componentOf[static_cast<std::size_t>(v)])] != 0; };
+  const auto lives = [&](Index v) { return isLive[componentOf[v]] != 0; };
 
   LaplaceOperator op;
   op.VertexMass = Eigen::VectorXd::Zero(n);
   Triplets stiffness;
   Triplets mass;
-  stiffness.reserve(static_cast<std::size_t>(12 * triangleCount));
+  stiffness.reserve(12 * triangleCount);
   for (Index t = 0; t < triangleCount; ++t)
   {
     if (!lives(mesh.Triangles(t, 0)))
     {
       continue;
     }
-    const TriangleElement& element = elements[static_cast<std::size_t>(t)];
+    const TriangleElement& element = elements[t];
     op.Area += element.Area;
     for (int corner = 0; corner < 3; ++corner)
     {

@@ -190,7 +190,7 @@ void CheckConvergence(const EigenProblem& problem, const EigenPairs& pairs,
 void Sort(EigenPairs& pairs, Index kernel)
 {
   pairs.Values = pairs.Values.cwiseMax(0.0).eval();
-  std::vector<Index> order(static_cast<std::size_t>(pairs.Values.size()));
+  std::vector<Index> order(pairs.Values.size());
   std::iota(order.begin(), order.end(), Index{ 0 });
   std::stable_sort(order.begin() + std::min(kernel, pairs.Values.size()), order.end(),
     [&pairs](Index a, Index b) { return pairs.Values[a] < pairs.Values[b]; });

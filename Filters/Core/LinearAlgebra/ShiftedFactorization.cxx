@@ -87,7 +87,7 @@ void ShiftedFactorization::SolveWithMass(MultiVector& x, bool refine, int thread
     [&](Index k)
     {
       BlockVector right;
-      MultiplyBlock(this->PermutedMass, x[static_cast<std::size_t>(k)], right, 1);
+      MultiplyBlock(this->PermutedMass, x[k], right, 1);
       BlockVector solution = right;
       this->Solve(solution, 1);
       if (refine)
@@ -98,7 +98,7 @@ void ShiftedFactorization::SolveWithMass(MultiVector& x, bool refine, int thread
         this->Solve(right, 1);
         solution += right;
       }
-      x[static_cast<std::size_t>(k)] = std::move(solution);
+      x[k] = std::move(solution);
     });
 }
 

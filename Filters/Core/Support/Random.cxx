@@ -45,14 +45,14 @@ double NormalRandom(std::uint64_t seed, std::uint64_t element)
 
 std::vector<Index> RandomOrder(Index count, std::uint64_t seed)
 {
-  std::vector<Index> order(static_cast<std::size_t>(count));
+  std::vector<Index> order(count);
   std::iota(order.begin(), order.end(), Index{ 0 });
   // Fisher and Yates; std::shuffle differs between implementations.
   for (Index k = count - 1; k > 0; --k)
   {
     const auto other = static_cast<Index>(
       UniformRandom(seed, static_cast<std::uint64_t>(k)) * static_cast<double>(k + 1));
-    std::swap(order[static_cast<std::size_t>(k)], order[static_cast<std::size_t>(other)]);
+    std::swap(order[k], order[other]);
   }
   return order;
 }
