@@ -15,7 +15,7 @@ namespace
 {
 
 // The random share of a starting block when there is an initial guess.
-constexpr double GuessDoubt = 1e-3;
+constexpr double RandomShare = 1e-3;
 
 // Reorthogonalisation may wait for a second block as long as the operator is no more than this many times
 // larger than a block's couplings.
@@ -39,7 +39,7 @@ BlockKrylovSpace::BlockKrylovSpace(const ShiftedFactorization& factorization, Mu
   {
     // Enough of everything that no eigenvector is missed, however good the guess.
     start *= 1.0 / start.norm();
-    random = start + GuessDoubt / random.norm() * random;
+    random = start + RandomShare / random.norm() * random;
   }
   if (!this->Begin(std::move(random)))
   {
@@ -88,8 +88,8 @@ Eigen::MatrixXd BlockKrylovSpace::Orthonormalize(BlockVector& w, double length) 
 
 MultiVectorView BlockKrylovSpace::Last(std::size_t count) const
 {
-  const std::size_t there = std::min(count, this->Basis.size() - this->Locked);
-  return MultiVectorView(this->Basis.data() + this->Basis.size() - there, there);
+  const std::size_t available = std::min(count, this->Basis.size() - this->Locked);
+  return MultiVectorView(this->Basis.data() + this->Basis.size() - available, available);
 }
 
 bool BlockKrylovSpace::Begin(BlockVector start)

@@ -25,7 +25,7 @@ namespace
 {
 
 // What the residual of a Ritz pair may be, in parts of the tolerance asked for.
-constexpr double PartOfTolerance = 0.3;
+constexpr double ShareOfTolerance = 0.3;
 
 // Eigenvalues closer than this, relative to their size, are taken for one that repeats.
 constexpr double NearlyEqual = 1e-7;
@@ -174,7 +174,7 @@ std::vector<Index> OpenPairs(const RitzPairs& ritz, const std::vector<Index>& wa
   {
     const double value = std::max(0.0, shift + 1.0 / ritz.Theta[k]);
     const double excess =
-      ritz.Impurity(k) * (highest + 1.0) / (PartOfTolerance * tolerance * (value + 1.0));
+      ritz.Impurity(k) * (highest + 1.0) / (ShareOfTolerance * tolerance * (value + 1.0));
     worst = std::max(worst, excess);
     if (excess > 1.0)
     {

@@ -24,7 +24,7 @@ constexpr Index CutWindow = 12;
 // well over the rounding of a factorisation at the cut.
 constexpr double MinimalGap = 1e-7;
 
-constexpr int MaximumRepairs = 12;
+constexpr int MaximumSearches = 12;
 
 // An eigenvalue under 0 by this part of the largest is no rounding.
 constexpr double FarBelow = 1e-3;
@@ -73,8 +73,6 @@ public:
   /// What was found; the sequence is empty then.
   EigenPairs TakeResult();
 
-  Index Bands = 0;
-
 private:
   bool IsFirst() const { return this->Found() <= this->Problem.Kernel.cols(); }
   double LocalSpacing() const;
@@ -84,7 +82,7 @@ private:
   MultiVector Locked(const Band& band) const;
   void AddInInterval(Band found, Band& band) const;
   bool Cut(Band& band, Index target, const Progress& progress);
-  bool IsNonsense(const Band& band) const;
+  bool IsImpossible(const Band& band) const;
   void Append(Band band, const Progress& progress);
   void ProjectOutKnown(MultiVector& vectors, const Progress& progress) const;
 
@@ -95,6 +93,7 @@ private:
   double Tolerance;
   const WarmStart* InitialGuess;
   int Threads;
+  Index Bands = 0;
   std::vector<double> Values; // what is known to be complete, up to LowerCut
   MultiVector Vectors;        // each band begins with a block of its own
   std::vector<Index> Column;  // of each value, in Vectors
@@ -328,7 +327,7 @@ void BandSequence::Append(Band band, const Progress& progress)
 
 // More values than there are, or one far below 0: where the mesh's numbers are all rounding, a search
 // finds anything. What is found stays, so no further search mends it.
-bool BandSequence::IsNonsense(const Band& band) const
+bool BandSequence::IsImpossible(const Band& band) const
 {
   if (band.Values.empty())
   {
@@ -349,7 +348,7 @@ bool BandSequence::SolveBand(const Progress& progress)
   const Index below = std::max<Index>(0, this->BelowShift - this->Found());
   const Index above = std::max<Index>(1, target - below);
   Band band;
-  for (int repair = 0; repair < MaximumRepairs; ++repair)
+  for (int repair = 0; repair < MaximumSearches; ++repair)
   {
     // Each search takes a part of what remains.
     const double begin = repair == 0 ? 0.05 : 0.95 - 0.1 / repair;
@@ -378,7 +377,7 @@ bool BandSequence::SolveBand(const Progress& progress)
       this->Append(std::move(band), progress.Part(end, 1.0));
       return true;
     }
-    if (this->IsNonsense(band))
+    if (this->IsImpossible(band))
     {
       return false;
     }

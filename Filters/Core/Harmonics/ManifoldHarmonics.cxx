@@ -226,14 +226,15 @@ ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
   solverOptions.BandSize = options.BandSize;
   solverOptions.Tolerance = options.Tolerance;
   solverOptions.Threads = options.Threads;
-  WarmStart nearby;
+  WarmStart initialGuess;
   if (options.InitialGuess != nullptr &&
     options.InitialGuess->Basis.rows() == mesh.NumberOfVertices())
   {
-    nearby.Values = options.InitialGuess->Eigenvalues * options.InitialGuess->VertexMass.sum();
-    nearby.Vectors = &options.InitialGuess->Basis;
-    nearby.Order = options.InitialGuess->Elimination;
-    solverOptions.InitialGuess = &nearby;
+    initialGuess.Values =
+      options.InitialGuess->Eigenvalues * options.InitialGuess->VertexMass.sum();
+    initialGuess.Vectors = &options.InitialGuess->Basis;
+    initialGuess.Order = options.InitialGuess->Elimination;
+    solverOptions.InitialGuess = &initialGuess;
   }
   const SolverChoice choice = options.Solver == SolverChoice::Automatic
     ? ChooseSolver(mesh.NumberOfVertices(), op.Rank, options.Count)
