@@ -20,20 +20,22 @@ namespace
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-// A triangle's smallest admitted slack b + c - a, relative to its longest edge a. It bounds the
+// Smallest slack b + c - a that a triangle may have, relative to its longest edge a. It bounds the
 // cotangents by about 1e8, so that the assembled matrix keeps the precision of its sound part.
 constexpr double MinimalSlack = 1e-8;
 
-// A component with less than this share of the whole area is a collapsed one: rounding noise.
+// Share of the whole area below which a component's area is rounding noise: it has collapsed.
 constexpr double MinimalComponentShare = 1e-14;
 
 struct TriangleElement
 {
   double Area = 0.0;
-  Eigen::Vector3d Cotangents = Eigen::Vector3d::Zero(); // of the angle at each corner
+  // The cotangent of the angle at each corner.
+  Eigen::Vector3d Cotangents = Eigen::Vector3d::Zero();
 };
 
-// Heron's formula, stable for needles (Kahan, "Miscalculating Area and Angles", 2014).
+// Heron's formula in a form that is stable for needles (Kahan, "Miscalculating Area and Angles",
+// 2014).
 double AreaFromLengths(std::array<double, 3> length)
 {
   std::sort(length.begin(), length.end(), std::greater<double>());
@@ -41,7 +43,8 @@ double AreaFromLengths(std::array<double, 3> length)
   return 0.25 * std::sqrt((a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c)));
 }
 
-// Cotangents of the triangle whose edges are all longer by what restores the minimal slack.
+// The cotangents of the triangle after all its edges were lengthened by `missing`, which restores
+// the minimal slack.
 Eigen::Vector3d MollifiedCotangents(std::array<double, 3> length, double missing)
 {
   for (double& edge : length)
@@ -94,7 +97,7 @@ TriangleElement MakeElement(const TriangleMesh& mesh, Index t)
   return element;
 }
 
-// Lowest vertex of each vertex's connected component.
+// The connected component of each vertex, named by its lowest vertex.
 std::vector<Index> ComponentOfVertices(const TriangleMesh& mesh)
 {
   std::vector<Index> parent(mesh.NumberOfVertices());
@@ -126,7 +129,7 @@ std::vector<Index> ComponentOfVertices(const TriangleMesh& mesh)
   return component;
 }
 
-// Components that have area, largest first; ties by lowest vertex.
+// The components that have area, largest first, and by lowest vertex where areas are equal.
 std::vector<Index> LiveComponents(const std::vector<Index>& componentOf,
   const Eigen::VectorXd& componentArea, double totalArea)
 {
@@ -143,8 +146,9 @@ std::vector<Index> LiveComponents(const std::vector<Index>& componentOf,
   return live;
 }
 
-// The constant, then, component after component, what is constant on the component and on the
-// rest after it, orthogonal to all before: a Gram-Schmidt basis that never cancels.
+// A basis of the kernel of S in closed form, free of cancellation. Column 0 is constant. Column k
+// is constant on component k - 1 and on the union of the components after it, is 0 on those before
+// it, and is orthogonal to the columns before it, as if by Gram-Schmidt.
 Eigen::MatrixXd KernelBasis(const std::vector<Index>& componentOf, const std::vector<Index>& live,
   const Eigen::VectorXd& componentArea)
 {
@@ -155,7 +159,7 @@ Eigen::MatrixXd KernelBasis(const std::vector<Index>& componentOf, const std::ve
   {
     rankOf[live[k]] = k;
   }
-  // rest[k]: area of components k, k + 1, ...
+  // rest[k] is the area of components k, k + 1, ...
   std::vector<double> rest(live.size() + 1, 0.0);
   for (std::size_t k = live.size(); k-- > 0;)
   {
@@ -172,7 +176,7 @@ Eigen::MatrixXd KernelBasis(const std::vector<Index>& componentOf, const std::ve
     kernel(v, 0) = 1.0 / std::sqrt(rest[0]);
     for (Index k = 1; k < count && k <= rank + 1; ++k)
     {
-      // Column k tells component k - 1 from those after it.
+      // Column k separates component k - 1 from those after it.
       const double own = componentArea[live[k - 1]];
       const double others = rest[k];
       const double scale = 1.0 / std::sqrt(own * others * (own + others));
@@ -227,7 +231,7 @@ SparseMatrix Diagonal(const Eigen::VectorXd& diagonal)
 
 void CheckMatrixSize(Index vertices, Index triangles)
 {
-  // 12 triplets a triangle, indexed by Eigen's int.
+  // Each triangle adds 12 triplets, which Eigen indexes by int.
   constexpr Index most = std::numeric_limits<int>::max() / 12;
   if (std::max(vertices, triangles) > most)
   {

@@ -24,26 +24,30 @@ namespace spectralwatermark
 namespace
 {
 
-// Under this size a dense solver takes a fraction of a second, and Lanczos has no room.
+// Number of vertices up to which a dense solver takes a fraction of a second. A Krylov space would
+// be too small there.
 constexpr Index SmallProblem = 400;
 
-// Up to this size a dense solver is bearable where nothing else works: half a minute.
+// Number of vertices up to which a dense solver is acceptable where nothing else works: it takes
+// half a minute.
 constexpr Index MostDense = 2500;
 
-// Entries this close to the largest count as equal when the sign is chosen: the sign of a
-// symmetric harmonic then does not hang on rounding.
+// Relative distance to the largest entry within which an entry counts as equal to it when the sign
+// is chosen. The sign of a symmetric harmonic then does not depend on rounding.
 constexpr double SignTie = 1e-6;
 
-// A foreign basis is taken when it satisfies the equation to this accuracy. Far above what
-// storage in double loses, far below what any change of shape worth the name causes.
+// Largest relative residual of a basis that is adopted. It is far above the loss from storage in
+// double, and far below the effect of any real change of shape.
 constexpr double AdoptionTolerance = 1e-6;
 
-// What a dense solver may be asked for by name: five such matrices take 4 GB.
+// Number of vertices up to which the dense solver may be chosen by name: its five matrices then
+// take 4 GB.
 constexpr Index LargestDense = 10000;
 
-// Krylov spaces must not run out of vertices with mass, of which there are `rank`: a block's space
-// does so first. Where that could be, one vector at a time is safer and as fast; where there are
-// hardly more than harmonics wanted, only the dense solver is left.
+// Chooses the fastest solver that is safe. A Krylov space must not grow beyond the `rank` vertices
+// with mass, and a block method's space reaches that limit first. Near the limit, one vector at a
+// time is safer and as fast. Where the rank hardly exceeds the number of wanted harmonics, only the
+// dense solver works.
 SolverChoice ChooseSolver(Index vertices, Index rank, Index wanted)
 {
   const bool isTight = wanted > vertices / 2 || (rank < 4 * wanted + 100 && vertices <= MostDense);
@@ -89,13 +93,15 @@ void CheckCount(const HarmonicsOptions& options, Index available)
   }
 }
 
-// At the peak, as measured (Testing/Benchmark/scaling.csv, within 10 % from 35,000 vertices and 50
-// harmonics up): the factors and what makes them, for each harmonic its vector and the Lanczos vectors
-// of its band; of the dense solver, five matrices.
+// The peak memory of a solver, in bytes. The constants are measured (Testing/Benchmark/scaling.csv)
+// and agree within 10 % from 35,000 vertices and 50 harmonics up.
 double MemoryOf(SolverChoice choice, Index vertices, Index count)
 {
+  // Bytes per vertex of the factors and their computation.
   constexpr double factorsOfVertex = 3900.0;
+  // Bytes per vertex and harmonic of its vector and the Lanczos vectors of its band.
   constexpr double vectorsOfVertex = 17.0;
+  // Bytes per entry of the dense solver's five matrices.
   constexpr double matrices = 5.0 * sizeof(double);
   const auto n = static_cast<double>(vertices);
   if (choice == SolverChoice::Dense)
@@ -185,8 +191,9 @@ void CheckConvergence(const EigenProblem& problem, const EigenPairs& pairs,
   }
 }
 
-// Eigenvalues that repeat come in any order, by a rounding, and under 0, where none can be, for parts that
-// hang together by next to nothing. The kernel stays in front.
+// Sorts the pairs by eigenvalue and clamps eigenvalues at 0; the kernel stays in front. Rounding
+// puts repeated eigenvalues in any order, and makes some negative where parts of a mesh are barely
+// connected.
 void Sort(EigenPairs& pairs, Index kernel)
 {
   pairs.Values = pairs.Values.cwiseMax(0.0).eval();
@@ -265,7 +272,8 @@ ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
 
 void RequireMemoryToAdopt(Index vertices, Index count)
 {
-  constexpr double bases = 3.4; // at the peak, as measured: the copy, and what its checks multiply
+  // The measured peak memory, in bases: the copy and the products of its checks.
+  constexpr double bases = 3.4;
   RequireMemory(bases * BytesOfBasis(vertices, count), Work(vertices, count), FewerHarmonics);
 }
 

@@ -22,7 +22,7 @@ Index ChunkCount(Index rows)
   return (rows + RowsPerChunk - 1) / RowsPerChunk;
 }
 
-// A row of eight for each vector of a basis.
+// Coefficients of a block: a row of eight for each vector of a basis.
 using Small = Eigen::Matrix<double, Eigen::Dynamic, BlockWidth, Eigen::RowMajor>;
 
 } // namespace
@@ -107,7 +107,7 @@ MULTIVERSIONED void MultiplyRows(const int* outer, const int* inner, const doubl
 namespace
 {
 
-// The columns of C for each block that comes out, filled up with zeros in both directions.
+// The columns of C for each block of the result, padded with zeros in both directions.
 std::vector<Small> CoefficientsByBlock(const Eigen::MatrixXd& c, const MultiVectorView& basis)
 {
   std::vector<Small> coefficients;
@@ -133,7 +133,7 @@ BlockVector MakeBlockVector(Index rows)
     (hugePage - reinterpret_cast<std::uintptr_t>(begin) % hugePage) % hugePage;
   if (bytes >= skipped + hugePage)
   {
-    // A hint: may fail.
+    // This is only a hint, so its failure does not matter.
     madvise(begin + skipped, (bytes - skipped) / hugePage * hugePage, MADV_HUGEPAGE);
   }
 #endif
@@ -164,7 +164,8 @@ Eigen::MatrixXd ProjectScaled(const MultiVectorView& basis, const MultiVectorVie
 {
   const Index rows = basis.Count > 0 ? basis.First[0].rows() : 0;
   const Index chunks = ChunkCount(rows);
-  // A partial sum for each group of chunks: few enough to add up, the same for any threads.
+  // Each group of chunks has a partial sum. The groups are few, so that adding the sums is cheap,
+  // and do not depend on the number of threads.
   const Index groups = std::min<Index>(chunks, 8);
   const Index pairs = basis.Count * y.Count;
   std::vector<Small> partial(groups, Small::Zero(8 * pairs, 8));
@@ -305,7 +306,8 @@ MultiVector LinearCombination(const MultiVectorView& basis, const Eigen::MatrixX
   {
     result.push_back(MakeBlockVector(rows));
   }
-  constexpr Index rowsPerTile = 256; // few enough that a tile of the whole basis stays in the cache
+  // Few enough rows that a tile of the whole basis stays in the cache.
+  constexpr Index rowsPerTile = 256;
   ForEachTask(threads, (rows + rowsPerTile - 1) / rowsPerTile,
     [&](Index tile)
     {

@@ -14,8 +14,10 @@ namespace spectralwatermark
 namespace
 {
 
-// Rows that are worked on as one task, and fronts that are large enough for several.
+// Number of rows of a front that are processed as one task.
 constexpr Index RowsPerTask = 64;
+
+// Height from which a front is large enough for several threads.
 constexpr Index LargeFront = 256;
 
 } // namespace
@@ -79,7 +81,7 @@ void MultifrontalLdlt::Assemble(const Supernode& node, const SparseMatrix& matri
   std::vector<Front>& fronts, Front& front) const
 {
   const Index height = node.Height();
-  // Eight more, so that a row can be worked on in eights from anywhere in it.
+  // Each row is followed by seven more values, so that eight can be read from anywhere in it.
   front.Stride = height + 7;
   front.Values.assign(height * front.Stride, 0.0);
   double* values = front.Values.data();
@@ -178,7 +180,7 @@ void MultifrontalLdlt::Solve(BlockVector& x, int threads) const
       x.middleRows(node.First, node.Width) +=
         update.middleRows(this->Tree.TopRow[node.First], node.Width);
     }
-    // Nothing lies above the top.
+    // Nothing lies above the top, so all rows below are rows of x.
     SupernodeFactor factor = factorOf(node);
     factor.TopBegin = factor.BelowCount;
     SubstituteForward(factor, x.data() + BlockWidth * node.First, x.data(), nullptr, nullptr);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <iostream> // before Eigen's METIS support, which needs it and does not include it
+// Eigen's METIS support uses <iostream> without including it, so it must come first.
+#include <iostream>
 
 #include "Core/LinearAlgebra/ShiftedFactorization.h"
 
@@ -18,8 +19,8 @@ namespace
 
 Eigen::VectorXi NestedDissection(const SparseMatrix& pattern)
 {
-  // METIS draws its random numbers from one place for the whole process: calls that overlap would
-  // give each other other numbers, and other orders.
+  // METIS uses one random generator for the whole process; concurrent calls would change each
+  // other's orderings.
   static std::mutex oneAtATime;
   const std::lock_guard<std::mutex> lock(oneAtATime);
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> toOriginal;

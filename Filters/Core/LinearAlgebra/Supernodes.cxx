@@ -11,28 +11,28 @@ namespace spectralwatermark
 namespace
 {
 
-// More than there are threads as a rule, so that they finish together; each costs a pass over the
-// rows above.
+// Number of groups of subtrees. It usually exceeds the number of threads, so that they finish at
+// about the same time; each group costs a pass over the rows of the top.
 constexpr std::size_t NumberOfGroups = 8;
 
-// A subtree of at most this part of all work is not divided further.
+// Largest share of the total work that a subtree may have without being divided further.
 constexpr double LargestSubtree = 1.0 / 8.0;
 
-// Supernodes up to this width are merged whatever zeros that brings: dense loops over a few columns
-// more cost less than another front.
+// Width up to which supernodes are merged no matter how many zeros that adds: dense loops over a
+// few more columns cost less than another front.
 constexpr int AlwaysMerged = 8;
 
-// The share of zeros that wider ones may have.
+// Largest share of zeros among the entries of a wider supernode that is merged.
 constexpr double ZerosAllowed = 0.08;
 
 struct EliminationTree
 {
-  std::vector<int> Parent; // -1 at a root
-  std::vector<int> Count;  // entries of each column of L, with the diagonal
+  std::vector<int> Parent; // the parent of each column; -1 at a root
+  std::vector<int> Count;  // entries of each column of L, the diagonal included
 };
 
-// Row k of L has an entry in every column on the paths of the tree from the entries of row k of the
-// matrix up to k.
+// Builds the tree row by row. Row k of L has an entry in every column on the paths that lead, in
+// the tree, from the entries of row k of the matrix up to k.
 EliminationTree BuildTree(const SparseMatrix& pattern)
 {
   const Index size = pattern.cols();
@@ -57,7 +57,7 @@ EliminationTree BuildTree(const SparseMatrix& pattern)
   return tree;
 }
 
-// The children of every node, and last the roots.
+// The children of every column, and the roots in a last list.
 std::vector<std::vector<int>> ChildrenOf(const EliminationTree& tree)
 {
   const auto size = static_cast<int>(tree.Parent.size());
@@ -75,7 +75,8 @@ std::vector<std::vector<int>> ChildrenOf(const EliminationTree& tree)
   return children;
 }
 
-// Columns are one supernode as long as each has one row more than the next, which is its parent.
+// The fundamental supernodes: in each, a column's parent is the next column, which has one row
+// fewer.
 std::vector<Supernode> FundamentalSupernodes(const EliminationTree& tree)
 {
   std::vector<Supernode> nodes;
@@ -94,12 +95,12 @@ std::vector<Supernode> FundamentalSupernodes(const EliminationTree& tree)
   return nodes;
 }
 
-// Merges supernodes with the parent that they lie next to, where that brings few zeros.
+// Merges a supernode with its parent where the two are adjacent and that adds few zeros.
 std::vector<Supernode> MergeSupernodes(const std::vector<Supernode>& nodes,
   const EliminationTree& tree)
 {
   std::vector<Supernode> merged;
-  std::vector<double> zeros; // of each
+  std::vector<double> zeros; // the number of zeros in each of `merged`
   for (Supernode node : nodes)
   {
     const int below = tree.Count[node.First] - node.Width;
@@ -134,7 +135,8 @@ std::vector<Supernode> MergeSupernodes(const std::vector<Supernode>& nodes,
   return merged;
 }
 
-// Rows below a supernode: those of its columns in the matrix, and those of its children.
+// Finds the rows below each supernode, which are those of its columns in the matrix and those of
+// its children, and from them the parents and children.
 void FindRows(const SparseMatrix& pattern, std::vector<Supernode>& nodes)
 {
   const Index size = pattern.cols();
@@ -192,8 +194,8 @@ void FindRows(const SparseMatrix& pattern, std::vector<Supernode>& nodes)
   }
 }
 
-// Roots of disjoint subtrees, the heaviest first: from the whole tree down, the heaviest is divided
-// into its children until it is light enough.
+// The roots of disjoint subtrees, heaviest first. Starts from the whole tree and divides the
+// heaviest subtree into its children until it is light enough.
 std::vector<int> DivideTree(const std::vector<Supernode>& nodes, const std::vector<double>& weight)
 {
   const auto lighter = [&weight](int a, int b)
@@ -229,7 +231,7 @@ std::vector<int> DivideTree(const std::vector<Supernode>& nodes, const std::vect
   return roots;
 }
 
-// Entries of L in the subtree of each supernode.
+// The weight of each supernode: the number of entries of L in its subtree.
 std::vector<double> SubtreeWeights(const std::vector<Supernode>& nodes)
 {
   std::vector<double> weight(nodes.size());
@@ -244,7 +246,7 @@ std::vector<double> SubtreeWeights(const std::vector<Supernode>& nodes)
   return weight;
 }
 
-// A supernode belongs to the group of the subtree that it is in, or to the top.
+// Distributes the supernodes: each belongs to the group of its subtree, or to the top.
 void FormGroups(SupernodeTree& tree)
 {
   const std::vector<double> weight = SubtreeWeights(tree.Nodes);
@@ -273,6 +275,7 @@ void FormGroups(SupernodeTree& tree)
   }
 }
 
+// Numbers the rows of the top, and finds where they begin among the rows below each supernode.
 void NumberTopRows(SupernodeTree& tree)
 {
   for (const int s : tree.Top)
@@ -295,7 +298,7 @@ void NumberTopRows(SupernodeTree& tree)
 Eigen::VectorXi Postorder(const SparseMatrix& pattern)
 {
   const std::vector<std::vector<int>> children = ChildrenOf(BuildTree(pattern));
-  // From the last column backwards: a node, then its children from the last one on.
+  // Filled from the last position backwards: a column, then its children, the last one first.
   Eigen::VectorXi order(pattern.cols());
   Index next = order.size();
   std::vector<int> waiting = children.back();
