@@ -20,12 +20,12 @@ double AvailableMemory();
 /// "/".
 double AvailableMemoryOfGroups(const std::string& root = "");
 
-/// Throws InvalidInput when `bytes` are more than that. `work` is what needs them, in the plural; `advice` is
-/// what the user can do, about `parameter` if one decides.
+/// Throws InvalidInput when `bytes` exceed AvailableMemory(). `work` is what needs them, in the plural;
+/// `advice` is what the user can do, about `parameter` if one decides.
 void RequireMemory(double bytes, const std::string& work, const std::string& advice,
   const std::string& parameter = "");
 
-/// The same, where so many bytes are needed for each triangle.
+/// Throws InvalidInput when that many triangles, each of which needs `bytesOfTriangle`, do not fit.
 void RequireMemoryForTriangles(Index triangles, double bytesOfTriangle,
   const std::string& advice = "simplify the mesh first", const std::string& parameter = "");
 
