@@ -7,10 +7,10 @@
  * where the user can correct it, vtkErrorCode::UnknownError where the solver failed or memory ran out.
  * The error is also there in parts, for programs that put their own name to a property.
  *
- * An abort (SetAbortExecute(1), as from a progress observer) empties the outputs without an error. The
- * flag is reset when the filter has stopped, whichever VTK runs it: VTK before 9.3 resets it at the
- * start of every execution, later versions and ParaView from 5.11 on leave that to the caller. Call
- * Modified() to run the filter again.
+ * An abort (SetAbortExecute(1), as from a progress observer) empties the outputs without an error. Call
+ * Modified() to run the filter again; the flag need not be reset. VTK before 9.3 resets it when an
+ * execution starts, and the filters do so when they stop under later versions and in ParaView from 5.11
+ * on, which leave it to the caller.
  *
  * Output port 0 is vtkPolyData; further ports are vtkTable.
  */

@@ -20,6 +20,9 @@ int ThreadsOfVtk();
 /// Throws InvalidInput for a value that is not finite: VTK's clamping lets those pass.
 void CheckFinite(const char* property, double value);
 
+/// Resets AbortExecute at the end of an execution, where VTK does not at the start of the next.
+void ResetAbort(vtkAlgorithm* filter);
+
 /// Empties the data objects of all output ports.
 void EmptyOutputs(vtkInformationVector* outputs);
 
