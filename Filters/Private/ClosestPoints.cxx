@@ -82,7 +82,7 @@ ClosestPoints::~ClosestPoints() = default;
 std::vector<SurfacePoint> ClosestPoints::To(const TriangleMesh::PointMatrix& points, int threads,
   const Progress& progress) const
 {
-  std::vector<SurfacePoint> found(static_cast<std::size_t>(points.rows()));
+  std::vector<SurfacePoint> found(points.rows());
   for (Index begin = 0; begin < points.rows(); begin += PointsPerReport)
   {
     const Index end = std::min(points.rows(), begin + PointsPerReport);
@@ -93,7 +93,7 @@ std::vector<SurfacePoint> ClosestPoints::To(const TriangleMesh::PointMatrix& poi
         const Index last = std::min(end, begin + (task + 1) * PointsPerTask);
         for (Index p = begin + task * PointsPerTask; p < last; ++p)
         {
-          found[static_cast<std::size_t>(p)] = Closest(this->Locator, cell, points.row(p));
+          found[p] = Closest(this->Locator, cell, points.row(p));
         }
       });
     progress.Report(static_cast<double>(end) / static_cast<double>(points.rows()));
@@ -115,7 +115,7 @@ Eigen::MatrixXd ClosestPoints::Interpolate(const Eigen::MatrixXd& values,
     Eigen::MatrixXd::Zero(static_cast<Index>(points.size()), values.cols());
   for (Index p = 0; p < interpolated.rows(); ++p)
   {
-    const SurfacePoint& point = points[static_cast<std::size_t>(p)];
+    const SurfacePoint& point = points[p];
     for (int corner = 0; corner < 3; ++corner)
     {
       interpolated.row(p) +=

@@ -59,7 +59,7 @@ Eigen::MatrixXd VertexRows(vtkDataArray* array, const PolyDataMesh& mesh, Index 
   Eigen::MatrixXd values(static_cast<Index>(mesh.PointOfVertex.size()), columns);
   for (Index vertex = 0; vertex < values.rows(); ++vertex)
   {
-    const vtkIdType point = mesh.PointOfVertex[static_cast<std::size_t>(vertex)];
+    const vtkIdType point = mesh.PointOfVertex[vertex];
     for (Index column = 0; column < columns; ++column)
     {
       values(vertex, column) = array->GetComponent(point, static_cast<int>(column));

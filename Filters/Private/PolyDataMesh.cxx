@@ -156,7 +156,7 @@ vtkSmartPointer<vtkCellArray> Triangulated(vtkPolyData* input)
 std::vector<Triangle> TrianglesOf(vtkCellArray* cells)
 {
   std::vector<Triangle> triangles;
-  triangles.reserve(static_cast<std::size_t>(cells->GetNumberOfCells()));
+  triangles.reserve(cells->GetNumberOfCells());
   ForEachCell(cells,
     [&triangles](vtkIdType size, const vtkIdType* corners)
     {
@@ -170,18 +170,18 @@ std::vector<Triangle> TrianglesOf(vtkCellArray* cells)
 
 std::vector<vtkIdType> UsedPoints(const std::vector<Triangle>& triangles, vtkIdType pointCount)
 {
-  std::vector<char> isUsed(static_cast<std::size_t>(pointCount), 0);
+  std::vector<char> isUsed(pointCount, 0);
   for (const Triangle& triangle : triangles)
   {
     for (const vtkIdType point : triangle)
     {
-      isUsed[static_cast<std::size_t>(point)] = 1;
+      isUsed[point] = 1;
     }
   }
   std::vector<vtkIdType> used;
   for (vtkIdType point = 0; point < pointCount; ++point)
   {
-    if (isUsed[static_cast<std::size_t>(point)] != 0)
+    if (isUsed[point] != 0)
     {
       used.push_back(point);
     }
@@ -205,7 +205,7 @@ std::vector<vtkIdType> RepresentativeRows(const TriangleMesh::PointMatrix& point
   vtkNew<vtkStaticPointLocator> locator;
   locator->SetDataSet(cloud);
   locator->BuildLocator();
-  std::vector<vtkIdType> representatives(static_cast<std::size_t>(points.rows()));
+  std::vector<vtkIdType> representatives(points.rows());
   locator->MergePoints(0.0, representatives.data());
   return representatives;
 }
@@ -225,9 +225,9 @@ TriangleMesh::TriangleMatrix ProperTriangles(const std::vector<Triangle>& triang
   Index kept = 0;
   for (const Triangle& triangle : triangles)
   {
-    const Index a = vertexOfPoint[static_cast<std::size_t>(triangle[0])];
-    const Index b = vertexOfPoint[static_cast<std::size_t>(triangle[1])];
-    const Index c = vertexOfPoint[static_cast<std::size_t>(triangle[2])];
+    const Index a = vertexOfPoint[triangle[0]];
+    const Index b = vertexOfPoint[triangle[1]];
+    const Index c = vertexOfPoint[triangle[2]];
     if (a != b && b != c && c != a)
     {
       proper.row(kept++) << a, b, c;
@@ -272,7 +272,7 @@ PolyDataMesh ToMesh(vtkPolyData* input, CoincidentPoints coincident)
   const std::vector<vtkIdType> used = UsedPoints(triangles, pointCount);
 
   PolyDataMesh result;
-  result.VertexOfPoint.assign(static_cast<std::size_t>(pointCount), -1);
+  result.VertexOfPoint.assign(pointCount, -1);
   const std::vector<vtkIdType> representative = coincident == CoincidentPoints::Merge
     ? RepresentativeRows(CheckedPoints(input, used))
     : Identity(used.size());
@@ -280,13 +280,13 @@ PolyDataMesh ToMesh(vtkPolyData* input, CoincidentPoints coincident)
   std::vector<Index> vertexOfRow(used.size(), -1);
   for (std::size_t i = 0; i < used.size(); ++i)
   {
-    Index& vertex = vertexOfRow[static_cast<std::size_t>(representative[i])];
+    Index& vertex = vertexOfRow[representative[i]];
     if (vertex < 0)
     {
       vertex = static_cast<Index>(result.PointOfVertex.size());
       result.PointOfVertex.push_back(used[i]);
     }
-    result.VertexOfPoint[static_cast<std::size_t>(used[i])] = vertex;
+    result.VertexOfPoint[used[i]] = vertex;
   }
   result.Mesh.Points = CheckedPoints(input, result.PointOfVertex);
   result.Mesh.Triangles = ProperTriangles(triangles, result.VertexOfPoint);
@@ -396,7 +396,7 @@ void SetPoints(vtkPolyData* output, vtkPolyData* input, const PolyDataMesh& mesh
   moved->SetNumberOfPoints(input->GetNumberOfPoints());
   for (vtkIdType point = 0; point < input->GetNumberOfPoints(); ++point)
   {
-    const Index vertex = mesh.VertexOfPoint[static_cast<std::size_t>(point)];
+    const Index vertex = mesh.VertexOfPoint[point];
     if (vertex >= 0)
     {
       moved->SetPoint(point, points(vertex, 0), points(vertex, 1), points(vertex, 2));

@@ -50,7 +50,7 @@ vtkSmartPointer<vtkCellArray> CopyCells(vtkCellArray* cells, const std::vector<v
   {
     cells->GetCellAtId(cell, corners);
     std::transform(corners->begin(), corners->end(), corners->begin(),
-      [&newPoint](vtkIdType point) { return newPoint[static_cast<std::size_t>(point)]; });
+      [&newPoint](vtkIdType point) { return newPoint[point]; });
     if (std::find(corners->begin(), corners->end(), -1) == corners->end())
     {
       copied->InsertNextCell(corners);
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkCellArray> CopyCells(vtkCellArray* cells, const std::vector<v
 
 std::vector<vtkIdType> IdentityOrder(vtkIdType count)
 {
-  std::vector<vtkIdType> order(static_cast<std::size_t>(count));
+  std::vector<vtkIdType> order(count);
   std::iota(order.begin(), order.end(), vtkIdType{ 0 });
   return order;
 }
@@ -72,10 +72,10 @@ std::vector<vtkIdType> IdentityOrder(vtkIdType count)
 vtkSmartPointer<vtkPolyData> ExtractPoints(vtkPolyData* input, const std::vector<vtkIdType>& points,
   const std::vector<vtkIdType>& polygons)
 {
-  std::vector<vtkIdType> newPoint(static_cast<std::size_t>(input->GetNumberOfPoints()), -1);
+  std::vector<vtkIdType> newPoint(input->GetNumberOfPoints(), -1);
   for (std::size_t k = 0; k < points.size(); ++k)
   {
-    newPoint[static_cast<std::size_t>(points[k])] = static_cast<vtkIdType>(k);
+    newPoint[points[k]] = static_cast<vtkIdType>(k);
   }
   auto output = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> moved;

@@ -68,15 +68,8 @@ public:
 
 private:
   Point At(int x, int y, int z) const { return this->Origin + this->Step * Point(x, y, z); }
-  std::size_t Number(int x, int y, int z) const
-  {
-    return static_cast<std::size_t>(x) + static_cast<std::size_t>(this->Size[0]) * this->Row(y, z);
-  }
-  std::size_t Row(int y, int z) const
-  {
-    return static_cast<std::size_t>(y) +
-      static_cast<std::size_t>(this->Size[1]) * static_cast<std::size_t>(z);
-  }
+  std::size_t Number(int x, int y, int z) const { return x + this->Size[0] * this->Row(y, z); }
+  std::size_t Row(int y, int z) const { return y + static_cast<std::size_t>(this->Size[1]) * z; }
   Point Corner(Index triangle, int corner) const
   {
     return this->Mesh.Points.row(this->Mesh.Triangles(triangle, corner));
@@ -161,7 +154,7 @@ void Grid::ComputeAround(Index triangle)
 
 void Grid::ComputeDistances(const Progress& progress)
 {
-  this->Known.assign(static_cast<std::size_t>(this->Image->GetNumberOfPoints()), false);
+  this->Known.assign(this->Image->GetNumberOfPoints(), false);
   this->Locator->SetDataSet(ToPolyData(this->Mesh, false));
   this->Locator->BuildLocator();
   const Index triangles = this->Mesh.NumberOfTriangles();

@@ -72,17 +72,17 @@ SurfaceDistance DistanceTo(const ClosestPoints& other, const TriangleMesh& mesh,
   TriangleMesh::PointMatrix points(inside + mesh.NumberOfVertices(), 3);
   for (Index p = 0; p < inside; ++p)
   {
-    points.row(p) = samples.Points[static_cast<std::size_t>(p)];
+    points.row(p) = samples.Points[p];
   }
   points.bottomRows(mesh.NumberOfVertices()) = mesh.Points;
   const std::vector<SurfacePoint> closest = other.To(points, threads, progress);
-  const auto apart = [&closest](Index p) { return closest[static_cast<std::size_t>(p)].Distance; };
+  const auto apart = [&closest](Index p) { return closest[p].Distance; };
   SurfaceDistance distance;
   double sum = 0.0;
   double area = 0.0;
   for (Index p = 0; p < inside; ++p)
   {
-    const double part = samples.Areas[static_cast<std::size_t>(p)];
+    const double part = samples.Areas[p];
     sum += part * apart(p) * apart(p);
     area += part;
     distance.Largest = std::max(distance.Largest, apart(p));

@@ -54,8 +54,7 @@ TriangleMesh SubdivideOnce(const TriangleMesh& mesh)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      fine.Triangles(static_cast<Index>(t), corner) =
-        triangles[t][static_cast<std::size_t>(corner)];
+      fine.Triangles(static_cast<Index>(t), corner) = triangles[t][corner];
     }
   }
   return fine;

@@ -123,8 +123,7 @@ VectorXd NormalCycleCurvature(const BallNeighbourhood& balls, double radius, int
         const double length = edge.norm();
         if (length > 0.0)
         {
-          tensor += angles[static_cast<std::size_t>(piece.Edge)] * piece.Share / length * edge *
-            edge.transpose();
+          tensor += angles[piece.Edge] * piece.Share / length * edge * edge.transpose();
         }
       }
       curvature[v] = 0.5 * TwoLarger(tensor) / (Pi * radius * radius);

@@ -52,7 +52,7 @@ Octad PlacesOf(std::uint32_t word)
   {
     if ((word >> place & 1U) != 0)
     {
-      places[static_cast<std::size_t>(found++)] = place;
+      places[found++] = place;
     }
   }
   return places;
@@ -63,7 +63,7 @@ std::uint32_t PatternIn(const Octad& places, std::uint32_t word)
   std::uint32_t pattern = 0;
   for (int bit = 0; bit < OctadBits; ++bit)
   {
-    pattern |= (word >> places[static_cast<std::size_t>(bit)] & 1U) << bit;
+    pattern |= (word >> places[bit] & 1U) << bit;
   }
   return pattern;
 }
@@ -73,7 +73,7 @@ std::uint32_t WordOf(const Octad& places, std::uint32_t pattern)
   std::uint32_t word = 0;
   for (int bit = 0; bit < OctadBits; ++bit)
   {
-    word |= (pattern >> bit & 1U) << places[static_cast<std::size_t>(bit)];
+    word |= (pattern >> bit & 1U) << places[bit];
   }
   return word;
 }

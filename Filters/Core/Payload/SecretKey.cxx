@@ -107,8 +107,7 @@ std::vector<Eigen::Index> SecretKey::CarrierPositions(Eigen::Index slots,
   Eigen::Index slotSize) const
 {
   std::vector<Eigen::Index> positions;
-  for (const std::uint64_t word :
-    Words(this->Stream(Positions, WordSize * static_cast<std::size_t>(slots))))
+  for (const std::uint64_t word : Words(this->Stream(Positions, WordSize * slots)))
   {
     positions.push_back(
       2 + static_cast<Eigen::Index>(word % static_cast<std::uint64_t>(slotSize - 2)));
@@ -119,8 +118,7 @@ std::vector<Eigen::Index> SecretKey::CarrierPositions(Eigen::Index slots,
 std::vector<double> SecretKey::Uniform(std::uint64_t purpose, Eigen::Index count) const
 {
   std::vector<double> numbers;
-  for (const std::uint64_t word :
-    Words(this->Stream(purpose, WordSize * static_cast<std::size_t>(count))))
+  for (const std::uint64_t word : Words(this->Stream(purpose, WordSize * count)))
   {
     numbers.push_back(static_cast<double>(word >> 11) * 0x1.0p-53);
   }
@@ -139,7 +137,7 @@ std::vector<double> SecretKey::Dither(Eigen::Index count) const
 
 std::string SecretKey::Bits(std::uint64_t purpose, Eigen::Index bits) const
 {
-  return FirstBits(this->Stream(purpose, (static_cast<std::size_t>(bits) + 7) / 8).data(), bits);
+  return FirstBits(this->Stream(purpose, (bits + 7) / 8).data(), bits);
 }
 
 std::string SecretKey::Keystream(Eigen::Index bits) const

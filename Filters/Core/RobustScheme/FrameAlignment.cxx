@@ -65,7 +65,7 @@ VectorXd Signs(const CarrierSet& carriers)
   VectorXd signs(carriers.Count());
   for (Index j = 0; j < signs.size(); ++j)
   {
-    signs[j] = carriers.Whitening[static_cast<std::size_t>(j)] == '1' ? -1.0 : 1.0;
+    signs[j] = carriers.Whitening[j] == '1' ? -1.0 : 1.0;
   }
   return signs;
 }
@@ -142,8 +142,7 @@ VectorXd Misses(const VectorXd& places, const std::string& code, const CarrierSe
   VectorXd misses(places.size());
   for (Index j = 0; j < places.size(); ++j)
   {
-    const auto at = static_cast<std::size_t>(j);
-    const double offset = code[at] != carriers.Whitening[at] ? 0.5 : 0.0;
+    const double offset = code[j] != carriers.Whitening[j] ? 0.5 : 0.0;
     misses[j] = places[j] - offset - std::round(places[j] - offset);
   }
   return misses;

@@ -102,7 +102,7 @@ private:
       {
         ReadingHypothesis tried = hypothesis;
         tried.Step = static_cast<int>(number);
-        readings[static_cast<std::size_t>(number)] = this->ReadingOf(tried, alignedFor(tried.Step));
+        readings[number] = this->ReadingOf(tried, alignedFor(tried.Step));
       });
     return *std::max_element(readings.begin(), readings.end(),
       [](const RobustReading& a, const RobustReading& b) { return a.Fit < b.Fit; });
@@ -182,7 +182,7 @@ void Reader::AlignFrames(const Progress& progress)
   for (int turn = 0; turn < this->Turns; ++turn)
   {
     progress.Report((turn + 1.0) / (this->Turns + 1.0));
-    const Sight& sight = this->AsItIs[static_cast<std::size_t>(turn)];
+    const Sight& sight = this->AsItIs[turn];
     const Eigen::MatrixXd response = responseOf(sight);
     this->Keep(this->BestStep({ 0, turn, 0 },
       [&](int step) { return Align(sight.Values, response, this->Carrier, StepOfNumber(step)); }));

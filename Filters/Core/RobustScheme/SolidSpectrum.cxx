@@ -82,7 +82,7 @@ Eigen::VectorXd SolidSpectrum(const TriangleMesh& oriented, const Eigen::MatrixX
   ForEachTask(threads, Parts,
     [&](Index part)
     {
-      Eigen::VectorXcd& sum = sums[static_cast<std::size_t>(part)];
+      Eigen::VectorXcd& sum = sums[part];
       sum.setZero(count);
       for (Index t = part * triangles / Parts; t < (part + 1) * triangles / Parts; ++t)
       {
