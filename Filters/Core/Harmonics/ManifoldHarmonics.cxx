@@ -7,6 +7,7 @@
 #include "Core/Eigensolver/Residuals.h"
 #include "Core/Eigensolver/SpectraSolver.h"
 #include "Core/Support/MemoryBudget.h"
+#include "Core/Support/Text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@
 #include <limits>
 #include <memory>
 #include <numeric>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -152,9 +152,7 @@ void FixSigns(Eigen::MatrixXd& basis)
 
 std::string Scientific(double value)
 {
-  std::ostringstream text;
-  text << std::scientific << std::setprecision(1) << value;
-  return text.str();
+  return TextOf(std::scientific, std::setprecision(1), value);
 }
 
 std::string SolverAdvice(const HarmonicsOptions& options)
