@@ -9,10 +9,9 @@
 #include "Core/Support/MemoryBudget.h"
 #include "Core/Support/Progress.h"
 #include "Private/FilterExecution.h"
-#include "Private/PerceptualDistance.h"
 #include "Private/PolyDataMesh.h"
 #include "Private/Results.h"
-#include "Private/SurfaceDistance.h"
+#include "Private/SurfaceComparison.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>

@@ -12,12 +12,11 @@
 #include "Core/RobustScheme/RobustReader.h"
 #include "Core/Support/Errors.h"
 #include "Core/Support/MemoryBudget.h"
-#include "Private/CarrierTable.h"
 #include "Private/FilterExecution.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
 #include "Private/Results.h"
-#include "Private/SlotTable.h"
+#include "Private/Tables.h"
 
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>

@@ -12,12 +12,11 @@
 #include "Core/RobustScheme/RobustEmbedding.h"
 #include "Core/Support/Errors.h"
 #include "Core/Support/Progress.h"
-#include "Private/CarrierTable.h"
 #include "Private/FilterExecution.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
 #include "Private/Results.h"
-#include "Private/SlotTable.h"
+#include "Private/Tables.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>

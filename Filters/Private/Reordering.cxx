@@ -28,6 +28,7 @@ vtkSmartPointer<vtkIdList> IdList(const std::vector<vtkIdType>& ids)
   return list;
 }
 
+// Copies the tuples with these ids, in this order.
 void CopyAttributes(vtkDataSetAttributes* from, vtkDataSetAttributes* to,
   const std::vector<vtkIdType>& ids)
 {
@@ -40,7 +41,8 @@ void CopyAttributes(vtkDataSetAttributes* from, vtkDataSetAttributes* to,
   to->CopyData(from, source, target);
 }
 
-// Cells of one kind in this order, without those that have lost a point; `kept` gets their ids.
+// Copies cells of one kind in this order, without those that have lost a point, and appends the ids
+// of the copied ones to `kept`.
 vtkSmartPointer<vtkCellArray> CopyCells(vtkCellArray* cells, const std::vector<vtkIdType>& order,
   const std::vector<vtkIdType>& newPoint, vtkIdType firstId, std::vector<vtkIdType>& kept)
 {
@@ -85,7 +87,7 @@ vtkSmartPointer<vtkPolyData> ExtractPoints(vtkPolyData* input, const std::vector
   output->SetPoints(moved);
   CopyAttributes(input->GetPointData(), output->GetPointData(), points);
 
-  // Ids of cells count through vertices, lines, polygons and strips.
+  // Cell ids run through vertices, lines, polygons and strips, in this order.
   std::vector<vtkIdType> kept;
   vtkIdType first = 0;
   const auto copy = [&](vtkCellArray* cells, const std::vector<vtkIdType>& order)
