@@ -42,19 +42,20 @@ TriangleMesh SubdivideOnce(const TriangleMesh& mesh)
         triangles.push_back({ a, b, middle });
         continue;
       }
-      if (both[0] == t) // once for both sides
+      // The two triangles across the flipped edge are added once, by the first of its two sides.
+      if (both[0] == t)
       {
         triangles.push_back({ a, n + both[1], middle });
         triangles.push_back({ n + both[1], b, middle });
       }
     }
   }
-  fine.Triangles.resize(static_cast<Index>(triangles.size()), 3);
+  fine.Triangles.resize(triangles.size(), 3);
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      fine.Triangles(static_cast<Index>(t), corner) = triangles[t][corner];
+      fine.Triangles(t, corner) = triangles[t][corner];
     }
   }
   return fine;

@@ -10,8 +10,8 @@ namespace spectralwatermark
 namespace
 {
 
-// How far along from p, which is inside, to q the sphere is met: the positive root of
-// |p - o + t (q - p)| = r.
+// The share of the way from p, which is inside the ball, to q at which the sphere is met: the
+// positive root t of |p - centre + t (q - p)| = radius.
 double ShareInside(const Eigen::RowVector3d& p, const Eigen::RowVector3d& q,
   const Eigen::RowVector3d& centre, double radius)
 {
@@ -63,7 +63,8 @@ void BallNeighbourhood::Around(Index centre, double radius, Workspace& workspace
   workspace.Inside.assign(1, centre);
   workspace.ClippedEdges.clear();
   workspace.Visitor[centre] = centre;
-  for (std::size_t at = 0; at < workspace.Inside.size(); ++at) // grows as it goes
+  // The loop appends to the vertices that it runs over.
+  for (std::size_t at = 0; at < workspace.Inside.size(); ++at)
   {
     const Index v = workspace.Inside[at];
     const Index end = this->Starts[v + 1];
@@ -84,7 +85,8 @@ void BallNeighbourhood::Around(Index centre, double radius, Workspace& workspace
         visitor = centre;
         workspace.Inside.push_back(w);
       }
-      if (v < w) // else it is taken from there
+      // An edge with both ends inside is added from its smaller end only.
+      if (v < w)
       {
         workspace.ClippedEdges.push_back({ edge, v, w, 1.0 });
       }

@@ -17,9 +17,10 @@ namespace
 
 using Eigen::VectorXd;
 
+// The number of vertices that one task takes.
 constexpr Index VerticesPerTask = 2048;
 
-// Calls work(vertex, workspace) for every vertex, with rooms that each thread uses in turn.
+// Calls work(vertex, workspace) for every vertex. Each task has a workspace of its own.
 template <typename Work>
 void ForEachVertex(const BallNeighbourhood& balls, int threads, const Work& work)
 {
@@ -36,8 +37,8 @@ void ForEachVertex(const BallNeighbourhood& balls, int threads, const Work& work
     });
 }
 
-// Angles by which normals turn at the edges, positive where convex; 0 at edges that do not have two
-// triangles.
+// The dihedral angle at every edge, between the normals of its triangles, positive where the
+// surface is convex; 0 at edges that do not have two triangles.
 std::vector<double> DihedralAngles(const BallNeighbourhood& balls)
 {
   const TriangleMesh& mesh = balls.Mesh();
@@ -66,6 +67,7 @@ std::vector<double> DihedralAngles(const BallNeighbourhood& balls)
   return angles;
 }
 
+// The sum of the two larger absolute eigenvalues.
 double TwoLarger(const Eigen::Matrix3d& tensor)
 {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
@@ -74,7 +76,7 @@ double TwoLarger(const Eigen::Matrix3d& tensor)
   return sizes.sum() - sizes.minCoeff();
 }
 
-// Weighted moments of the pairs of values in a window.
+// The weighted moments of the pairs of values in a window.
 struct Moments
 {
   double Weight = 0.0;
@@ -89,7 +91,7 @@ struct Moments
   }
 };
 
-// The moments are those about `origin`.
+// The structural difference in a window, from its moments about `origin`.
 double Difference(const Moments& moments, const Eigen::Vector2d& origin, int exponent)
 {
   const Eigen::Vector2d offset = moments.Sum / moments.Weight;
@@ -142,7 +144,8 @@ VectorXd LocalStructuralDistortion(const BallNeighbourhood& balls, const VectorX
     {
       balls.Around(centre, window.Radius, workspace);
       Moments moments;
-      const Eigen::Vector2d origin(here[centre], there[centre]); // differences lose no digits
+      // Moments about the values at the centre lose no digits.
+      const Eigen::Vector2d origin(here[centre], there[centre]);
       const auto add = [&](const Eigen::RowVector3d& at, const Eigen::Vector2d& values)
       {
         const double distance = (at - points.row(centre)).norm() / deviation;
@@ -174,6 +177,7 @@ double CubicMean(const VectorXd& values)
 VectorXd LocalMsdm(const BallNeighbourhood& reference, const BallNeighbourhood& distorted,
   double side, int threads)
 {
+  // The radii of the balls and of the windows, in D.
   constexpr double curvatureRadius = 0.005;
   constexpr double windowRadius = 0.015;
   const VectorXd before = side * NormalCycleCurvature(reference, curvatureRadius * side, threads);

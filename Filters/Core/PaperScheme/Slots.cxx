@@ -9,7 +9,7 @@ namespace spectralwatermark
 namespace
 {
 
-// 1-based component of a 1-based position in slot `slot`.
+// The component, 1-based, of a position, 1-based, in a slot, counted from 0.
 Index ComponentAt(const SlotOptions& options, Index slot, Index position)
 {
   return options.FirstComponent + slot * options.SlotSize + position - 1;

@@ -13,10 +13,16 @@ namespace spectralwatermark
 namespace
 {
 
+// The BLAKE2b key under which the secret is hashed to the master key.
 constexpr char MasterLabel[] = "SpectralWatermark v1";
-constexpr std::size_t WordSize = 8;
+
+// The context of crypto_kdf, which separates these seeds from those of other programs.
 constexpr char KdfContext[crypto_kdf_CONTEXTBYTES + 1] = "SpecWM_1";
 
+// The number of bytes of a stream from which one random number is made.
+constexpr std::size_t WordSize = 8;
+
+// What a seed is used for. The numbers are part of the derivation and must never change.
 enum Purpose : std::uint64_t
 {
   Positions = 1,
@@ -75,7 +81,7 @@ std::vector<unsigned char> SecretKey::Stream(std::uint64_t purpose, std::size_t 
 namespace
 {
 
-// Words of eight bytes, little-endian on every platform.
+// The stream as words of eight bytes, little-endian on every platform.
 std::vector<std::uint64_t> Words(const std::vector<unsigned char>& stream)
 {
   std::vector<std::uint64_t> words;
@@ -91,6 +97,7 @@ std::vector<std::uint64_t> Words(const std::vector<unsigned char>& stream)
   return words;
 }
 
+// The first bits of the bytes, the lowest bit of each byte first.
 std::string FirstBits(const unsigned char* bytes, Eigen::Index bits)
 {
   std::string text;

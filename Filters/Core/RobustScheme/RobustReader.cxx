@@ -24,26 +24,30 @@ namespace
 
 using Eigen::VectorXd;
 
-// Undone smoothings: 0, 5, ..., 60 iterations by the benchmark's factor.
+// The number of smoothing iterations from one level of undone smoothing to the next.
 constexpr int SmoothingStride = 5;
+
+// The number of levels of undone smoothing that are tried: 0, 5, ..., 60 iterations.
 constexpr int NumberOfSmoothings = 13;
+
+// The factor of the benchmark's smoothing, which is undone.
 constexpr double SmoothingFactor = 0.1;
 
-// How much undoing may add to the surface. What was smooth gains a little; noise soon grows over
-// everything.
+// The factor by which undoing smoothing may enlarge the surface. The area of a smooth surface grows
+// little, whereas noise soon covers everything.
 constexpr double MostArea = 2.0;
 
-// Skewness under which the signs of the axes are tried.
+// The clearness of a frame (see SolidFrame) below which all signs of its axes are tried.
 constexpr double ClearSkewness = 0.05;
 
-// A mesh without the mark fits the code by about a half, and never as well as this: no need to try
-// anything else.
+// The fit at which nothing else needs to be tried. A mesh without the mark fits the code by about
+// one half, and never as well as this.
 constexpr double ClearFit = 0.8;
 
-// Of the work, for progress: the rest is alignment.
+// The share of the progress for trying levels of smoothing; the alignment takes the rest.
 constexpr double LooksPart = 0.7;
 
-// Sees the mesh in all ways that are to be tried, and keeps the reading that fits best.
+// Reads the mesh under every hypothesis to be tried, and keeps the reading that fits best.
 class Reader
 {
 public:
@@ -67,7 +71,7 @@ public:
   }
 
 private:
-  // The mesh in a frame, and the carriers' values there.
+  // The mesh in a frame, and the carrier values there.
   struct Sight
   {
     SolidView View;
@@ -92,7 +96,7 @@ private:
     return reading;
   }
 
-  // The best of all steps; `alignedFor` the step's number.
+  // The best reading over all steps. `alignedFor` gives the alignment for the number of a step.
   template <typename Function>
   RobustReading BestStep(ReadingHypothesis hypothesis, const Function& alignedFor) const
   {
@@ -124,8 +128,8 @@ private:
   int Threads;
   int Turns;
   RobustReading Best;
-  std::optional<Sight> SeenBest; // what the best reading saw
-  std::vector<Sight> AsItIs;     // what was seen without undoing anything, a turn each
+  std::optional<Sight> SeenBest; // the sight of the best reading
+  std::vector<Sight> AsItIs;     // the sights of the unchanged mesh, one per half-turn
 };
 
 void Reader::TryEverySmoothing(const Progress& progress)
@@ -143,7 +147,8 @@ void Reader::TryEverySmoothing(const Progress& progress)
     const bool hasGrown = level > 0 && !(VertexAreas(sharper).sum() < MostArea * area);
     if (!frame || hasGrown)
     {
-      return; // noise is over everything
+      // Noise covers everything, and further levels would only amplify it.
+      return;
     }
     for (int turn = 0; turn < this->Turns; ++turn)
     {
@@ -167,7 +172,8 @@ void Reader::TryEverySmoothing(const Progress& progress)
   }
 }
 
-// Of the mesh as it is with every step, and of what fits best so far where something was undone.
+// Aligns the frame of the unchanged mesh for every step, and that of the best reading so far if it
+// undid some smoothing.
 void Reader::AlignFrames(const Progress& progress)
 {
   const auto responseOf = [this](const Sight& sight)
