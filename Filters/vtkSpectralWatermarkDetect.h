@@ -179,9 +179,9 @@ public:
   vtkGetMacro(LogLikelihoodRatio, double);
 
   /**
-   * Get the p-value that full agreement with the expected message would have; -1 without an expected
-   * message. If it is above FalsePositiveRate, the message has too few bits to be detected at all,
-   * and a negative verdict means nothing.
+   * Get the p-value that full agreement with the expected message would have; -1 without an
+   * expected message. If it is above FalsePositiveRate, the message has too few bits to be detected
+   * at all, and a negative verdict means nothing.
    */
   vtkGetMacro(SmallestPValue, double);
 

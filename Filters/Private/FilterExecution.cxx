@@ -22,7 +22,7 @@ namespace spectralwatermark
 namespace
 {
 
-// Observers can be slow (a window, a terminal): they are notified of every half percent.
+// The progress from one event to the next. Observers can be slow (a window, a terminal).
 constexpr double ProgressStep = 0.005;
 
 // VTK 9.3, and the VTK of ParaView 5.11 before it, made aborts the caller's business: CheckAbort() also asks
