@@ -45,7 +45,7 @@ constexpr double ClearSkewness = 0.05;
 constexpr double ClearFit = 0.8;
 
 // The share of the progress for trying levels of smoothing; the alignment takes the rest.
-constexpr double LooksPart = 0.7;
+constexpr double SmoothingPart = 0.7;
 
 // Reads the mesh under every hypothesis to be tried, and keeps the reading that fits best.
 class Reader
@@ -61,10 +61,10 @@ public:
 
   RobustReading Run(const Progress& progress)
   {
-    this->TryEverySmoothing(progress.Part(0.0, LooksPart));
+    this->TryEverySmoothing(progress.Part(0.0, SmoothingPart));
     if (this->Best.Fit < ClearFit)
     {
-      this->AlignFrames(progress.Part(LooksPart, 1.0));
+      this->AlignFrames(progress.Part(SmoothingPart, 1.0));
     }
     progress.Report(1.0);
     return this->Best;
@@ -72,17 +72,17 @@ public:
 
 private:
   // The mesh in a frame, and the carrier values there.
-  struct Sight
+  struct CarrierView
   {
-    SolidView View;
+    SolidView Solid;
     VectorXd Values;
   };
 
-  Sight See(const TriangleMesh& mesh, const SolidFrame& frame) const
+  CarrierView ViewIn(const TriangleMesh& mesh, const SolidFrame& frame) const
   {
-    SolidView view(mesh, frame);
-    VectorXd values = SolidSpectrum(view.Mesh, this->Carrier.Waves, this->Threads);
-    return { std::move(view), std::move(values) };
+    SolidView solid(mesh, frame);
+    VectorXd values = SolidSpectrum(solid.Mesh, this->Carrier.Waves, this->Threads);
+    return { std::move(solid), std::move(values) };
   }
 
   RobustReading ReadingOf(const ReadingHypothesis& hypothesis, const Alignment& aligned) const
@@ -128,8 +128,8 @@ private:
   int Threads;
   int Turns;
   RobustReading Best;
-  std::optional<Sight> SeenBest; // the sight of the best reading
-  std::vector<Sight> AsItIs;     // the sights of the unchanged mesh, one per half-turn
+  std::optional<CarrierView> BestView;     // the view of the best reading
+  std::vector<CarrierView> UnchangedViews; // the views of the unchanged mesh, one per half-turn
 };
 
 void Reader::TryEverySmoothing(const Progress& progress)
@@ -152,19 +152,19 @@ void Reader::TryEverySmoothing(const Progress& progress)
     }
     for (int turn = 0; turn < this->Turns; ++turn)
     {
-      Sight sight = this->See(sharper, RotatedByPi(*frame, turn));
+      CarrierView view = this->ViewIn(sharper, RotatedByPi(*frame, turn));
       RobustReading reading = this->BestStep({ level * SmoothingStride, turn, 0 },
-        [&sight](int /*step*/) {
-          return Alignment{ sight.Values, 0.0 };
+        [&view](int /*step*/) {
+          return Alignment{ view.Values, 0.0 };
         });
       if (level == 0)
       {
-        this->AsItIs.push_back(sight);
+        this->UnchangedViews.push_back(view);
       }
       if (reading.Fit > this->Best.Fit)
       {
         this->Best = std::move(reading);
-        this->SeenBest = std::move(sight);
+        this->BestView = std::move(view);
       }
       progress.Report(
         static_cast<double>(level * this->Turns + turn + 1) / (NumberOfSmoothings * this->Turns));
@@ -176,22 +176,22 @@ void Reader::TryEverySmoothing(const Progress& progress)
 // undid some smoothing.
 void Reader::AlignFrames(const Progress& progress)
 {
-  const auto responseOf = [this](const Sight& sight)
-  { return FrameResponse(sight.View.Mesh, sight.Values, this->Carrier, this->Threads); };
+  const auto responseOf = [this](const CarrierView& view)
+  { return FrameResponse(view.Solid.Mesh, view.Values, this->Carrier, this->Threads); };
   const ReadingHypothesis plain = this->Best.Hypothesis;
   if (plain.Smoothing > 0)
   {
     this->Keep(this->ReadingOf(plain,
-      Align(this->SeenBest->Values, responseOf(*this->SeenBest), this->Carrier,
+      Align(this->BestView->Values, responseOf(*this->BestView), this->Carrier,
         StepOfNumber(plain.Step))));
   }
   for (int turn = 0; turn < this->Turns; ++turn)
   {
     progress.Report((turn + 1.0) / (this->Turns + 1.0));
-    const Sight& sight = this->AsItIs[turn];
-    const Eigen::MatrixXd response = responseOf(sight);
+    const CarrierView& view = this->UnchangedViews[turn];
+    const Eigen::MatrixXd response = responseOf(view);
     this->Keep(this->BestStep({ 0, turn, 0 },
-      [&](int step) { return Align(sight.Values, response, this->Carrier, StepOfNumber(step)); }));
+      [&](int step) { return Align(view.Values, response, this->Carrier, StepOfNumber(step)); }));
   }
 }
 
