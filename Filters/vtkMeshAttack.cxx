@@ -227,8 +227,8 @@ void MovePoints(vtkMeshAttack* attack, vtkPolyData* input, vtkPolyData* output, 
   sw::SetPoints(output, input, mesh, points, attack->GetOutputPointsPrecision());
 }
 
-// Replaces the mesh by the one that resample(mesh) returns. The merged mesh is resampled, so that seams do
-// not tear.
+// Replaces the mesh by the one that resample(mesh) returns. The merged mesh is resampled, so that
+// seams do not tear.
 template <typename Resample>
 void ReplaceMesh(vtkMeshAttack* attack, vtkPolyData* input, vtkPolyData* output,
   const Resample& resample)

@@ -73,7 +73,7 @@ sw::RoundTrip RoundTripIn(vtkPolyData* input, const sw::PolyDataMesh& mesh, int 
       const sw::Index vertex = mesh.VertexOfPoint[point];
       if (vertex >= 0 && read.VertexOfPoint[point] >= 0)
       {
-        stored.VertexOf[static_cast<std::size_t>(vertex)] = read.VertexOfPoint[point];
+        stored.VertexOf[vertex] = read.VertexOfPoint[point];
       }
     }
     return stored;

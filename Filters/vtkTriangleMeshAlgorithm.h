@@ -8,10 +8,10 @@
  * vtkErrorCode::UnknownError if the solver failed or memory ran out. GetErrorParameter() and its
  * companions return the error in parts, for programs that have their own names for the properties.
  *
- * An abort (SetAbortExecute(1), for example in a progress observer) empties the outputs without an error. Call
- * Modified() to run the filter again; the flag need not be reset. VTK before 9.3 resets it when an
- * execution starts, and the filters do so when they stop under later versions and in ParaView from 5.11
- * on, which leave it to the caller.
+ * An abort (SetAbortExecute(1), for example in a progress observer) empties the outputs without an
+ * error. Call Modified() to run the filter again; the flag need not be reset. VTK before 9.3 resets it
+ * when an execution starts. Later versions, and ParaView from 5.11 on, leave that to the caller; there
+ * the filter resets it when it stops.
  *
  * Output port 0 is a vtkPolyData; all further ports are vtkTables.
  */

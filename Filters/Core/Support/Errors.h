@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// What the Core throws. Misuse throws; a computation that does not converge is a status.
+/// The errors that Core throws. Misuse throws; a computation that does not converge is a status.
 #ifndef SpectralWatermark_Core_Support_Errors_h
 #define SpectralWatermark_Core_Support_Errors_h
 
@@ -35,7 +35,8 @@ struct Failure : std::runtime_error
   std::string Advice; ///< what the user can do; may be empty
 };
 
-/// The caller can correct it: a bad mesh, or parameters that contradict each other or do not fit the mesh.
+/// An error that the caller can correct: a bad mesh, or parameters that contradict each other or do
+/// not fit the mesh.
 struct InvalidInput : Failure
 {
   using Failure::Failure;
