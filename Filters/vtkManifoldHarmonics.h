@@ -49,6 +49,9 @@
  * vtkDataArray* basis = harmonics->GetOutput()->GetPointData()->GetArray("ManifoldHarmonics");
  * @endcode
  *
+ * The paper is Y. Liu, B. Prabhakaran and X. Guo, "A Robust Spectral Approach for Blind Watermarking
+ * of Manifold Surfaces" (2008), here and in all classes.
+ *
  * @warning
  * Where an eigenvalue repeats (spheres, symmetric models), the harmonics span the right space, but
  * the single harmonics are not determined.
@@ -107,7 +110,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of harmonics per shift-invert band. Default 0: the solver chooses. A smaller
+   * Set/Get the number of harmonics per shift-invert band. Default 0: the solver chooses; at
+   * least 0. A smaller
    * band needs less memory but more factorisations. The result depends on it only within the
    * tolerance.
    */

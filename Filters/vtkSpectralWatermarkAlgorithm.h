@@ -9,12 +9,12 @@
  * Scheme Robust, the default: the bits are in the Fourier transform of the solid that the surface
  * encloses, at wave vectors that the secret key determines. They are quantised with a secret dither
  * and protected by the extended Golay code and a check. The mark belongs to the solid and not to
- * its triangles. The surface must enclose a volume; small holes do no harm. Of the properties
+ * its triangles. The surface must enclose a volume. Of the properties
  * below, Robust uses only NumberOfBits and the secret key. Without a secret key it works with a
  * public key, so that anyone can find and read the mark. Filters/Documentation/robust-scheme.md
  * explains how the scheme works and what breaks it.
  *
- * Scheme PaperSlots (paper, 2.2.3 and 3.2.1): bit i is in slot i, which consists of the SlotSize
+ * Scheme PaperSlots (the paper, which vtkManifoldHarmonics cites, 2.2.3 and 3.2.1): bit i is in slot i, which consists of the SlotSize
  * components from FirstComponent + i SlotSize on. In each slot one component, the carrier, is
  * compared with the average of reference components around it. The scheme needs no volume, so it
  * works on any surface.

@@ -2,9 +2,9 @@
 /// Reads the marks of the robust scheme (RobustEmbedding.h) from the mesh and the secret key alone.
 ///
 /// The reader does not know the quantisation step, the signs of the frame's axes where they are
-/// unclear, how often the mesh was smoothed, and how attacks changed the frame. It tries every
-/// combination of the first three and takes the one that fits the code best. Where none fits well,
-/// it changes the frame a little until one does.
+/// unclear, how often the mesh was smoothed, and how attacks changed the frame. It tries
+/// combinations of the first three until one fits the code clearly, and keeps the best. If none fits
+/// clearly, it also aligns the frame by small changes (FrameAlignment.h).
 ///
 /// None of this depends on the message. Inverting the whitening bits where a code word has ones
 /// adds that code word to what is read, and changes nothing else. Since the whitening is a
@@ -18,6 +18,8 @@
 #include "Core/Payload/SecretKey.h"
 #include "Core/RobustScheme/CarrierSet.h"
 #include "Core/Support/Progress.h"
+
+#include <string>
 
 namespace spectralwatermark
 {

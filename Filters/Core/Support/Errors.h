@@ -29,10 +29,12 @@ struct Failure : std::runtime_error
       (advice.empty() ? "" : "; " + advice);
   }
 
-  std::string
-    Parameter;        ///< the option at fault, by its name in the options struct; empty: the mesh
-  std::string Reason; ///< what is wrong, without the parameter's name
-  std::string Advice; ///< what the user can do; may be empty
+  /// The option at fault, by its name in the options struct; empty if it is the mesh.
+  std::string Parameter;
+  /// What is wrong, without the parameter's name.
+  std::string Reason;
+  /// What the user can do; may be empty.
+  std::string Advice;
 };
 
 /// An error that the caller can correct: a bad mesh, or parameters that contradict each other or do
