@@ -49,15 +49,7 @@ TriangleMesh SubdivideOnce(const TriangleMesh& mesh)
       }
     }
   }
-  fine.Triangles.resize(static_cast<Index>(triangles.size()), 3);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      fine.Triangles(static_cast<Index>(t), corner) =
-        triangles[t][static_cast<std::size_t>(corner)];
-    }
-  }
+  fine.Triangles = ToTriangleMatrix(triangles);
   return fine;
 }
 

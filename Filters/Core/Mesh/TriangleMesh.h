@@ -4,6 +4,9 @@
 
 #include "Core/Support/Types.h"
 
+#include <array>
+#include <vector>
+
 namespace spectralwatermark
 {
 
@@ -20,6 +23,9 @@ struct TriangleMesh
   Index NumberOfVertices() const { return this->Points.rows(); }
   Index NumberOfTriangles() const { return this->Triangles.rows(); }
 };
+
+/// A list of triangles as the rows of a matrix.
+TriangleMesh::TriangleMatrix ToTriangleMatrix(const std::vector<std::array<Index, 3>>& triangles);
 
 /// Whether both have as many vertices, and the same triangles in the same order.
 bool SameTriangles(const TriangleMesh& a, const TriangleMesh& b);
