@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A filter on any mesh with any properties; which one, the build decides.
-#include "Fuzz/FilterCase.h"
+#include "Support/FilterCase.h"
 #include "Fuzz/Require.h"
 
 #include <vtkOutputWindow.h>
