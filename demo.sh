@@ -35,4 +35,4 @@ export PYTHONPATH="$project/build/lib/python3/dist-packages${PYTHONPATH:+:$PYTHO
 cd "$callers_folder"
 # Debian's VTK draws through X: a virtual screen is enough.
 exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" /usr/bin/python3 \
-  "$project/Examples/Python/watermark_demo.py" --output "$project/demo-output" "$@"
+  "$project/Examples/Demo/watermark_demo.py" --output "$project/demo-output" "$@"

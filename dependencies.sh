@@ -3,7 +3,7 @@
 
 BUILD_PACKAGES=(g++ cmake ninja-build libvtk9-dev python3-vtk9 python3-numpy libeigen3-dev
   libspectra-dev libsodium-dev libmetis-dev python3-shtab python3-tqdm)
-DEMO_PACKAGES=(glmark2-data xvfb xauth libgl1-mesa-dri)
+DEMO_PACKAGES=(glmark2-data xvfb xauth libgl1-mesa-dri python3-jinja2 python3-matplotlib)
 TEST_PACKAGES=(libgtest-dev clang-format doxygen)
 PARAVIEW_PACKAGES=(paraview paraview-dev libqt5svg5 dpkg-dev xvfb xauth libgl1-mesa-dri)
 FULL_TEST_PACKAGES=(chromium mypy clang clang-tidy libomp-dev llvm valgrind)
@@ -20,7 +20,7 @@ install_missing() {
   local root=()
   if [ "$(id -u)" -ne 0 ]; then
     if ! command -v sudo >/dev/null; then
-      echo "These packages are missing, and neither root nor sudo is at hand to install them:" >&2
+      echo "These packages are missing, and there is neither root nor sudo to install them:" >&2
       echo "  apt-get install --no-install-recommends ${missing[*]}" >&2
       return 1
     fi

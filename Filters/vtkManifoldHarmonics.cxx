@@ -7,7 +7,6 @@
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
 
-#include <vtkInformation.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
@@ -44,21 +43,15 @@ void vtkManifoldHarmonics::SetArrayName(const char* name)
   }
 }
 
-int vtkManifoldHarmonics::FillOutputPortInformation(int port, vtkInformation* info)
+void vtkManifoldHarmonics::ResetResults()
 {
-  if (port == 0)
-  {
-    return this->Superclass::FillOutputPortInformation(port, info);
-  }
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
-  return 1;
+  this->SpectrumIsComplete = false;
 }
 
 int vtkManifoldHarmonics::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  this->SpectrumIsComplete = false;
-  return sw::RunFilter(this, this->ErrorCode, outputs,
+  return this->Run(outputs,
     [&]()
     {
       vtkPolyData* input = vtkPolyData::GetData(inputs[0]);

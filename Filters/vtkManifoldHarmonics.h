@@ -59,15 +59,15 @@
 #define vtkManifoldHarmonics_h
 
 #include "vtkFiltersSpectralWatermarkModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkTriangleMeshAlgorithm.h"
 
 #include <string> // for ArrayName
 
-class VTKFILTERSSPECTRALWATERMARK_EXPORT vtkManifoldHarmonics : public vtkPolyDataAlgorithm
+class VTKFILTERSSPECTRALWATERMARK_EXPORT vtkManifoldHarmonics : public vtkTriangleMeshAlgorithm
 {
 public:
   static vtkManifoldHarmonics* New();
-  vtkTypeMacro(vtkManifoldHarmonics, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkManifoldHarmonics, vtkTriangleMeshAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -170,12 +170,13 @@ protected:
   vtkManifoldHarmonics();
   ~vtkManifoldHarmonics() override;
 
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkManifoldHarmonics(const vtkManifoldHarmonics&) = delete;
   void operator=(const vtkManifoldHarmonics&) = delete;
+
+  void ResetResults() override;
 
   int NumberOfHarmonics = 100;
   int MassMatrix = Lumped;

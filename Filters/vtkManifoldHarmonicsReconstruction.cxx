@@ -30,9 +30,10 @@ Eigen::VectorXd GainVector(const std::map<int, double>& gains, sw::Index count)
   {
     if (component < 1 || component > count || !std::isfinite(gain))
     {
-      throw sw::InvalidInput("the gain " + std::to_string(gain) + " of component " +
-        std::to_string(component) + " cannot be applied: components go from 1 to " +
-        std::to_string(count) + " and gains are finite");
+      throw sw::InvalidInput("Gain",
+        "the gain " + std::to_string(gain) + " of component " + std::to_string(component) +
+          " cannot be applied",
+        "choose components from 1 to " + std::to_string(count) + " and finite gains");
     }
     vector[component - 1] = gain;
   }
@@ -75,15 +76,19 @@ void vtkManifoldHarmonicsReconstruction::SetArrayName(const char* name)
   }
 }
 
+void vtkManifoldHarmonicsReconstruction::ResetResults()
+{
+  this->NumberOfEigensolves = 0;
+}
+
 int vtkManifoldHarmonicsReconstruction::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  return sw::RunFilter(this, this->ErrorCode, outputs,
+  return this->Run(outputs,
     [&]()
     {
       vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
       vtkPolyData* output = vtkPolyData::GetData(outputs);
-      this->NumberOfEigensolves = 0;
       const sw::PolyDataMesh mesh = sw::ToMesh(input);
       const sw::ManifoldHarmonics harmonics =
         sw::FindAnyOrComputeHarmonics(input, this->GetArrayName(), mesh, this->NumberOfHarmonics,

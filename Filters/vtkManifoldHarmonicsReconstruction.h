@@ -27,17 +27,17 @@
 #define vtkManifoldHarmonicsReconstruction_h
 
 #include "vtkFiltersSpectralWatermarkModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkTriangleMeshAlgorithm.h"
 
 #include <map>    // for Gains
 #include <string> // for ArrayName
 
 class VTKFILTERSSPECTRALWATERMARK_EXPORT vtkManifoldHarmonicsReconstruction
-  : public vtkPolyDataAlgorithm
+  : public vtkTriangleMeshAlgorithm
 {
 public:
   static vtkManifoldHarmonicsReconstruction* New();
-  vtkTypeMacro(vtkManifoldHarmonicsReconstruction, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkManifoldHarmonicsReconstruction, vtkTriangleMeshAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -98,6 +98,8 @@ protected:
 private:
   vtkManifoldHarmonicsReconstruction(const vtkManifoldHarmonicsReconstruction&) = delete;
   void operator=(const vtkManifoldHarmonicsReconstruction&) = delete;
+
+  void ResetResults() override;
 
   int NumberOfHarmonics = 0;
   std::map<int, double> Gains; // by 1-based component; 1 where absent

@@ -11,7 +11,6 @@
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
-#include <vtkInformation.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -61,22 +60,16 @@ void FillTable(vtkTable* table, const Eigen::VectorXd& eigenvalues,
 
 } // namespace
 
-int vtkManifoldHarmonicsSimilarity::FillOutputPortInformation(int port, vtkInformation* info)
+void vtkManifoldHarmonicsSimilarity::ResetResults()
 {
-  if (port == 0)
-  {
-    return this->Superclass::FillOutputPortInformation(port, info);
-  }
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
-  return 1;
+  this->MeanSimilarity = -1.0;
+  this->NumberOfEigensolves = 0;
 }
 
 int vtkManifoldHarmonicsSimilarity::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  this->MeanSimilarity = -1.0;
-  this->NumberOfEigensolves = 0;
-  return sw::RunFilter(this, this->ErrorCode, outputs,
+  return this->Run(outputs,
     [&]()
     {
       vtkPolyData* referenceInput = vtkPolyData::GetData(inputs[0]);

@@ -32,14 +32,14 @@
 #define vtkManifoldHarmonicsSimilarity_h
 
 #include "vtkFiltersSpectralWatermarkModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkTriangleMeshAlgorithm.h"
 
 class VTKFILTERSSPECTRALWATERMARK_EXPORT vtkManifoldHarmonicsSimilarity
-  : public vtkPolyDataAlgorithm
+  : public vtkTriangleMeshAlgorithm
 {
 public:
   static vtkManifoldHarmonicsSimilarity* New();
-  vtkTypeMacro(vtkManifoldHarmonicsSimilarity, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkManifoldHarmonicsSimilarity, vtkTriangleMeshAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -73,12 +73,13 @@ protected:
   vtkManifoldHarmonicsSimilarity();
   ~vtkManifoldHarmonicsSimilarity() override;
 
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkManifoldHarmonicsSimilarity(const vtkManifoldHarmonicsSimilarity&) = delete;
   void operator=(const vtkManifoldHarmonicsSimilarity&) = delete;
+
+  void ResetResults() override;
 
   int NumberOfHarmonics = 0;
   double ClusterTolerance = 1e-6;

@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,8 +47,8 @@ void CheckScaleFactors(const double* factors)
     sw::CheckFinite("AxisScaleFactors", factors[axis]);
     if (factors[axis] == 0.0)
     {
-      throw sw::InvalidInput("AxisScaleFactors has a 0, which flattens the mesh: give each axis "
-                             "another factor");
+      throw sw::InvalidInput("AxisScaleFactors", "a factor of 0 flattens the mesh",
+        "give each axis another factor");
     }
   }
 }
@@ -76,19 +77,6 @@ const char* NameOf(const std::array<const char*, Count>& names, int value)
   return value >= 0 && k < Count ? names[k] : "Unknown";
 }
 
-void Rotate(vtkTransform* transform, vtkMeshAttack* attack)
-{
-  const double* axis = attack->GetRotationAxis();
-  const double length = std::hypot(axis[0], axis[1], axis[2]);
-  sw::CheckFinite("RotationAxis", length);
-  sw::CheckFinite("RotationAngle", attack->GetRotationAngle());
-  if (length == 0.0)
-  {
-    throw sw::InvalidInput("RotationAxis has length 0: give it a direction");
-  }
-  transform->RotateWXYZ(attack->GetRotationAngle(), axis);
-}
-
 void RequireMemoryToSubdivide(sw::Index triangles, vtkMeshAttack* attack)
 {
   constexpr double bytesOfTriangle = 165.0; // at the peak: 128 to 161 were measured
@@ -96,7 +84,7 @@ void RequireMemoryToSubdivide(sw::Index triangles, vtkMeshAttack* attack)
   const double count =
     static_cast<double>(triangles) * std::pow(parts, attack->GetNumberOfSubdivisions());
   sw::RequireMemoryForTriangles(static_cast<sw::Index>(count), bytesOfTriangle,
-    "lower NumberOfSubdivisions, or simplify the mesh first");
+    "lower it, or simplify the mesh first", "NumberOfSubdivisions");
 }
 
 sw::TriangleMesh Subdivided(const sw::TriangleMesh& mesh, vtkMeshAttack* attack)
@@ -112,8 +100,9 @@ sw::TriangleMesh Subdivided(const sw::TriangleMesh& mesh, vtkMeshAttack* attack)
     case vtkMeshAttack::Sqrt3:
       return sw::SubdivideSqrt3(mesh, attack->GetNumberOfSubdivisions(), sw::ProgressOf(attack));
     default:
-      throw sw::InvalidInput("subdivision type " + std::to_string(attack->GetSubdivisionType()) +
-        " is unknown: see vtkMeshAttack::SubdivisionTypes");
+      throw sw::InvalidInput("SubdivisionType",
+        std::to_string(attack->GetSubdivisionType()) + " is unknown",
+        "see vtkMeshAttack::SubdivisionTypes");
   }
 }
 
@@ -131,20 +120,42 @@ sw::TriangleMesh Remeshed(const sw::TriangleMesh& mesh, vtkMeshAttack* attack)
     case vtkMeshAttack::Isosurface:
       return sw::ResampleByIsosurface(mesh, attack->GetIsosurfaceResolution(), attack);
     default:
-      throw sw::InvalidInput("remeshing method " + std::to_string(attack->GetRemeshingMethod()) +
-        " is unknown: see vtkMeshAttack::RemeshingMethods");
+      throw sw::InvalidInput("RemeshingMethod",
+        std::to_string(attack->GetRemeshingMethod()) + " is unknown",
+        "see vtkMeshAttack::RemeshingMethods");
   }
 }
 
 } // namespace
 
+const vtkMeshAttack::Entry* vtkMeshAttack::Find(int attack)
+{
+  static constexpr Entry entries[] = {
+    { Rotation, "Rotation", &vtkMeshAttack::Rotate },
+    { UniformScaling, "UniformScaling", &vtkMeshAttack::ScaleUniformly },
+    { Translation, "Translation", &vtkMeshAttack::Translate },
+    { Similarity, "Similarity", &vtkMeshAttack::TransformAtRandom },
+    { NoiseAlongNormals, "NoiseAlongNormals", &vtkMeshAttack::AddNoiseAlongNormals },
+    { NoiseUniform, "NoiseUniform", &vtkMeshAttack::AddUniformNoise },
+    { SpectralSmoothing, "SpectralSmoothing", &vtkMeshAttack::SmoothSpectrally },
+    { LaplacianSmoothing, "LaplacianSmoothing", &vtkMeshAttack::SmoothByUmbrella },
+    { Quantization, "Quantization", &vtkMeshAttack::Quantize },
+    { Simplification, "Simplification", &vtkMeshAttack::Simplify },
+    { Subdivision, "Subdivision", &vtkMeshAttack::Subdivide },
+    { VertexReordering, "VertexReordering", &vtkMeshAttack::Shuffle },
+    { Cropping, "Cropping", &vtkMeshAttack::Crop },
+    { Remeshing, "Remeshing", &vtkMeshAttack::Remesh },
+    { NonUniformScaling, "NonUniformScaling", &vtkMeshAttack::ScaleAxes },
+  };
+  const auto* found = std::find_if(std::begin(entries), std::end(entries),
+    [attack](const Entry& entry) { return entry.Type == attack; });
+  return found != std::end(entries) ? found : nullptr;
+}
+
 const char* vtkMeshAttack::GetAttackAsString() const
 {
-  constexpr std::array names = { "Rotation", "UniformScaling", "Translation", "Similarity",
-    "NoiseAlongNormals", "NoiseUniform", "SpectralSmoothing", "LaplacianSmoothing", "Quantization",
-    "Simplification", "Subdivision", "VertexReordering", "Cropping", "Remeshing",
-    "NonUniformScaling" };
-  return NameOf(names, this->Attack);
+  const Entry* entry = Find(this->Attack);
+  return entry != nullptr ? entry->Name : "Unknown";
 }
 
 const char* vtkMeshAttack::GetSubdivisionTypeAsString() const
@@ -157,123 +168,187 @@ const char* vtkMeshAttack::GetRemeshingMethodAsString() const
   return NameOf(std::array{ "Uniform", "Isosurface" }, this->RemeshingMethod);
 }
 
+void vtkMeshAttack::ResetResults()
+{
+  this->NumberOfEigensolves = 0;
+}
+
 int vtkMeshAttack::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  this->NumberOfEigensolves = 0;
-  return sw::RunFilter(this, this->ErrorCode, outputs,
+  return this->Run(outputs,
     [&]()
     {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      switch (this->Attack)
+      const Entry* entry = Find(this->Attack);
+      if (entry == nullptr)
       {
-        case Rotation:
-        case UniformScaling:
-        case Translation:
-        case Similarity:
-        case NonUniformScaling:
-          this->Transform(input, output);
-          break;
-        case NoiseAlongNormals:
-        case NoiseUniform:
-        case LaplacianSmoothing:
-        case Quantization:
-          this->MovePoints(input, output);
-          break;
-        case SpectralSmoothing:
-          this->Smooth(input, output);
-          break;
-        case Simplification:
-          this->Simplify(input, output);
-          break;
-        case Subdivision:
-        case Remeshing:
-          this->Resample(input, output);
-          break;
-        case VertexReordering:
-          this->Shuffle(input, output);
-          break;
-        case Cropping:
-          this->Crop(input, output);
-          break;
-        default:
-          throw sw::InvalidInput("attack " + std::to_string(this->Attack) +
-            " is unknown: see vtkMeshAttack::AttackType");
+        throw sw::InvalidInput("Attack", std::to_string(this->Attack) + " is unknown",
+          "see vtkMeshAttack::AttackType");
       }
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      (this->*entry->Apply)(vtkPolyData::GetData(inputs[0]), output);
       sw::DropHarmonics(output);
     });
 }
 
-void vtkMeshAttack::Transform(vtkPolyData* input, vtkPolyData* output)
+namespace
+{
+
+// Applies the transform that configure(transform, mesh) sets.
+template <typename Configure>
+void ApplyTransform(vtkMeshAttack* attack, vtkPolyData* input, vtkPolyData* output,
+  const Configure& configure)
 {
   const sw::PolyDataMesh mesh = sw::ToMesh(input);
   vtkNew<vtkTransform> transform;
-  switch (this->Attack)
-  {
-    case Rotation:
-      Rotate(transform, this);
-      break;
-    case UniformScaling:
-      sw::CheckFinite("ScaleFactor", this->ScaleFactor);
-      transform->Scale(this->ScaleFactor, this->ScaleFactor, this->ScaleFactor);
-      break;
-    case NonUniformScaling:
-      CheckScaleFactors(this->AxisScaleFactors);
-      transform->Scale(this->AxisScaleFactors);
-      break;
-    case Translation:
-      std::for_each_n(this->TranslationVector, 3,
-        [](double component) { sw::CheckFinite("TranslationVector", component); });
-      transform->Translate(this->TranslationVector);
-      break;
-    default:
-      transform->SetMatrix(
-        MatrixOf(sw::RandomSimilarity(mesh.Mesh, static_cast<std::uint64_t>(this->Seed))).data());
-  }
+  configure(transform.GetPointer(), mesh.Mesh);
   vtkNew<vtkTransformPolyDataFilter> move;
   move->SetInputData(input);
   move->SetTransform(transform);
-  move->SetOutputPointsPrecision(this->OutputPointsPrecision);
-  sw::RunInternalFilter(move, this, 0.1, 1.0);
+  move->SetOutputPointsPrecision(attack->GetOutputPointsPrecision());
+  sw::RunInternalFilter(move, attack, 0.1, 1.0);
   sw::CheckStorable(sw::PointsOf(move->GetOutput(), mesh.PointOfVertex),
-    sw::StoresFloat(input, this->OutputPointsPrecision));
+    sw::StoresFloat(input, attack->GetOutputPointsPrecision()));
   output->ShallowCopy(move->GetOutput());
 }
 
-void vtkMeshAttack::MovePoints(vtkPolyData* input, vtkPolyData* output)
+// Moves the points to those that move(mesh, progress) returns.
+template <typename Move>
+void MovePoints(vtkMeshAttack* attack, vtkPolyData* input, vtkPolyData* output, const Move& move)
 {
-  sw::CheckFinite("NoiseFactor", this->NoiseFactor);
-  sw::CheckFinite("NoisePercent", this->NoisePercent);
-  sw::CheckFinite("SmoothingFactor", this->SmoothingFactor);
   const sw::PolyDataMesh mesh = sw::ToMesh(input);
-  constexpr double bytesOfTriangle = 225.0; // at the peak, as measured of smoothing
+  constexpr double bytesOfTriangle = 225.0; // at the peak of smoothing, measured
   sw::RequireMemoryForTriangles(mesh.Mesh.NumberOfTriangles(), bytesOfTriangle);
-  const sw::Progress progress = sw::ProgressOf(this);
-  const auto seed = static_cast<std::uint64_t>(this->Seed);
+  const sw::Progress progress = sw::ProgressOf(attack);
   progress.Report(0.3);
-  sw::TriangleMesh::PointMatrix points;
-  switch (this->Attack)
-  {
-    case NoiseAlongNormals:
-      points = sw::NoiseAlongNormals(mesh.Mesh, this->NoiseFactor, seed);
-      break;
-    case NoiseUniform:
-      points = sw::NoiseUniform(mesh.Mesh, this->NoisePercent / 100.0, seed);
-      break;
-    case LaplacianSmoothing:
-      points = sw::LaplacianSmoothing(mesh.Mesh, this->SmoothingFactor, this->SmoothingIterations,
-        progress.Part(0.3, 0.9));
-      break;
-    default:
-      points = sw::Quantize(mesh.Mesh, this->QuantizationBits);
-  }
+  const sw::TriangleMesh::PointMatrix points = move(mesh.Mesh, progress.Part(0.3, 0.9));
   progress.Report(0.9);
   output->ShallowCopy(input);
-  sw::SetPoints(output, input, mesh, points, this->OutputPointsPrecision);
+  sw::SetPoints(output, input, mesh, points, attack->GetOutputPointsPrecision());
 }
 
-void vtkMeshAttack::Smooth(vtkPolyData* input, vtkPolyData* output)
+// Replaces the mesh by the one that resample(mesh) returns. The merged mesh is resampled, so that seams do
+// not tear.
+template <typename Resample>
+void ReplaceMesh(vtkMeshAttack* attack, vtkPolyData* input, vtkPolyData* output,
+  const Resample& resample)
+{
+  const sw::PolyDataMesh mesh = sw::ToMesh(input);
+  const bool storesFloat = sw::StoresFloat(input, attack->GetOutputPointsPrecision());
+  output->ShallowCopy(sw::ToPolyData(resample(mesh.Mesh), storesFloat));
+}
+
+} // namespace
+
+void vtkMeshAttack::Rotate(vtkPolyData* input, vtkPolyData* output)
+{
+  ApplyTransform(this, input, output,
+    [this](vtkTransform* transform, const sw::TriangleMesh&)
+    {
+      const double* axis = this->RotationAxis;
+      const double length = std::hypot(axis[0], axis[1], axis[2]);
+      sw::CheckFinite("RotationAxis", length);
+      sw::CheckFinite("RotationAngle", this->RotationAngle);
+      if (length == 0.0)
+      {
+        throw sw::InvalidInput("RotationAxis", "the axis has length 0", "give it a direction");
+      }
+      transform->RotateWXYZ(this->RotationAngle, axis);
+    });
+}
+
+void vtkMeshAttack::ScaleUniformly(vtkPolyData* input, vtkPolyData* output)
+{
+  ApplyTransform(this, input, output,
+    [this](vtkTransform* transform, const sw::TriangleMesh&)
+    {
+      sw::CheckFinite("ScaleFactor", this->ScaleFactor);
+      transform->Scale(this->ScaleFactor, this->ScaleFactor, this->ScaleFactor);
+    });
+}
+
+void vtkMeshAttack::Translate(vtkPolyData* input, vtkPolyData* output)
+{
+  ApplyTransform(this, input, output,
+    [this](vtkTransform* transform, const sw::TriangleMesh&)
+    {
+      std::for_each_n(this->TranslationVector, 3,
+        [](double component) { sw::CheckFinite("TranslationVector", component); });
+      transform->Translate(this->TranslationVector);
+    });
+}
+
+void vtkMeshAttack::TransformAtRandom(vtkPolyData* input, vtkPolyData* output)
+{
+  ApplyTransform(this, input, output,
+    [this](vtkTransform* transform, const sw::TriangleMesh& mesh)
+    {
+      const auto seed = static_cast<std::uint64_t>(this->Seed);
+      transform->SetMatrix(MatrixOf(sw::RandomSimilarity(mesh, seed)).data());
+    });
+}
+
+void vtkMeshAttack::ScaleAxes(vtkPolyData* input, vtkPolyData* output)
+{
+  ApplyTransform(this, input, output,
+    [this](vtkTransform* transform, const sw::TriangleMesh&)
+    {
+      CheckScaleFactors(this->AxisScaleFactors);
+      transform->Scale(this->AxisScaleFactors);
+    });
+}
+
+void vtkMeshAttack::AddNoiseAlongNormals(vtkPolyData* input, vtkPolyData* output)
+{
+  sw::CheckFinite("NoiseFactor", this->NoiseFactor);
+  MovePoints(this, input, output,
+    [this](const sw::TriangleMesh& mesh, const sw::Progress&) {
+      return sw::NoiseAlongNormals(mesh, this->NoiseFactor, static_cast<std::uint64_t>(this->Seed));
+    });
+}
+
+void vtkMeshAttack::AddUniformNoise(vtkPolyData* input, vtkPolyData* output)
+{
+  sw::CheckFinite("NoisePercent", this->NoisePercent);
+  MovePoints(this, input, output,
+    [this](const sw::TriangleMesh& mesh, const sw::Progress&)
+    {
+      return sw::NoiseUniform(mesh, this->NoisePercent / 100.0,
+        static_cast<std::uint64_t>(this->Seed));
+    });
+}
+
+void vtkMeshAttack::SmoothByUmbrella(vtkPolyData* input, vtkPolyData* output)
+{
+  sw::CheckFinite("SmoothingFactor", this->SmoothingFactor);
+  MovePoints(this, input, output,
+    [this](const sw::TriangleMesh& mesh, const sw::Progress& progress)
+    {
+      return sw::LaplacianSmoothing(mesh, this->SmoothingFactor, this->SmoothingIterations,
+        progress);
+    });
+}
+
+void vtkMeshAttack::Quantize(vtkPolyData* input, vtkPolyData* output)
+{
+  MovePoints(this, input, output,
+    [this](const sw::TriangleMesh& mesh, const sw::Progress&)
+    { return sw::Quantize(mesh, this->QuantizationBits); });
+}
+
+void vtkMeshAttack::Subdivide(vtkPolyData* input, vtkPolyData* output)
+{
+  ReplaceMesh(this, input, output,
+    [this](const sw::TriangleMesh& mesh) { return Subdivided(mesh, this); });
+}
+
+void vtkMeshAttack::Remesh(vtkPolyData* input, vtkPolyData* output)
+{
+  ReplaceMesh(this, input, output,
+    [this](const sw::TriangleMesh& mesh) { return Remeshed(mesh, this); });
+}
+
+void vtkMeshAttack::SmoothSpectrally(vtkPolyData* input, vtkPolyData* output)
 {
   sw::CheckFinite("SmoothingGain", this->SmoothingGain);
   const sw::PolyDataMesh mesh = sw::ToMesh(input);
@@ -302,19 +377,9 @@ void vtkMeshAttack::Simplify(vtkPolyData* input, vtkPolyData* output)
   sw::RunInternalFilter(decimate, this, 0.1, 1.0);
   if (decimate->GetOutput()->GetNumberOfPolys() == 0)
   {
-    throw sw::InvalidInput("no triangle is left: lower SimplificationPercent");
+    throw sw::InvalidInput("SimplificationPercent", "no triangle is left", "lower it");
   }
   output->ShallowCopy(sw::ToPolyData(sw::ToMesh(decimate->GetOutput()).Mesh, storesFloat));
-}
-
-// On the merged mesh, so that seams do not tear.
-void vtkMeshAttack::Resample(vtkPolyData* input, vtkPolyData* output)
-{
-  const sw::PolyDataMesh mesh = sw::ToMesh(input);
-  const bool storesFloat = sw::StoresFloat(input, this->OutputPointsPrecision);
-  const sw::TriangleMesh result =
-    this->Attack == Subdivision ? Subdivided(mesh.Mesh, this) : Remeshed(mesh.Mesh, this);
-  output->ShallowCopy(sw::ToPolyData(result, storesFloat));
 }
 
 void vtkMeshAttack::Shuffle(vtkPolyData* input, vtkPolyData* output)
@@ -356,7 +421,7 @@ void vtkMeshAttack::Crop(vtkPolyData* input, vtkPolyData* output)
     sw::ExtractPoints(input, points, sw::IdentityOrder(input->GetNumberOfPolys()));
   if (cropped->GetNumberOfPolys() + cropped->GetNumberOfStrips() == 0)
   {
-    throw sw::InvalidInput("no polygon is left: lower CroppingPercent");
+    throw sw::InvalidInput("CroppingPercent", "no polygon is left", "lower it");
   }
   output->ShallowCopy(cropped);
 }

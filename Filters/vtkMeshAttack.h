@@ -45,13 +45,13 @@
 #define vtkMeshAttack_h
 
 #include "vtkFiltersSpectralWatermarkModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkTriangleMeshAlgorithm.h"
 
-class VTKFILTERSSPECTRALWATERMARK_EXPORT vtkMeshAttack : public vtkPolyDataAlgorithm
+class VTKFILTERSSPECTRALWATERMARK_EXPORT vtkMeshAttack : public vtkTriangleMeshAlgorithm
 {
 public:
   static vtkMeshAttack* New();
-  vtkTypeMacro(vtkMeshAttack, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkMeshAttack, vtkTriangleMeshAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -342,13 +342,32 @@ private:
   vtkMeshAttack(const vtkMeshAttack&) = delete;
   void operator=(const vtkMeshAttack&) = delete;
 
-  void Transform(vtkPolyData* input, vtkPolyData* output);
-  void MovePoints(vtkPolyData* input, vtkPolyData* output);
-  void Smooth(vtkPolyData* input, vtkPolyData* output);
+  void ResetResults() override;
+
+  // One entry for each attack: its number, its name and what applies it.
+  struct Entry
+  {
+    int Type;
+    const char* Name;
+    void (vtkMeshAttack::*Apply)(vtkPolyData* input, vtkPolyData* output);
+  };
+  static const Entry* Find(int attack);
+
+  void Rotate(vtkPolyData* input, vtkPolyData* output);
+  void ScaleUniformly(vtkPolyData* input, vtkPolyData* output);
+  void Translate(vtkPolyData* input, vtkPolyData* output);
+  void TransformAtRandom(vtkPolyData* input, vtkPolyData* output);
+  void AddNoiseAlongNormals(vtkPolyData* input, vtkPolyData* output);
+  void AddUniformNoise(vtkPolyData* input, vtkPolyData* output);
+  void SmoothSpectrally(vtkPolyData* input, vtkPolyData* output);
+  void SmoothByUmbrella(vtkPolyData* input, vtkPolyData* output);
+  void Quantize(vtkPolyData* input, vtkPolyData* output);
   void Simplify(vtkPolyData* input, vtkPolyData* output);
-  void Resample(vtkPolyData* input, vtkPolyData* output);
+  void Subdivide(vtkPolyData* input, vtkPolyData* output);
   void Shuffle(vtkPolyData* input, vtkPolyData* output);
   void Crop(vtkPolyData* input, vtkPolyData* output);
+  void Remesh(vtkPolyData* input, vtkPolyData* output);
+  void ScaleAxes(vtkPolyData* input, vtkPolyData* output);
 
   int Attack = NoiseAlongNormals;
   int Seed = 0;

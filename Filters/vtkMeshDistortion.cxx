@@ -113,8 +113,7 @@ struct vtkMeshDistortion::Surfaces
 int vtkMeshDistortion::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  this->ForgetFigures();
-  const int ran = sw::RunFilter(this, this->ErrorCode, outputs,
+  return this->Run(outputs,
     [&]()
     {
       vtkPolyData* reference = vtkPolyData::GetData(inputs[0]);
@@ -152,14 +151,9 @@ int vtkMeshDistortion::RequestData(vtkInformation*, vtkInformationVector** input
         { { "GeomDiff", this->GeomDiff }, { "CurvDiff", this->CurvDiff }, { "MRMS", this->MRMS },
           { "Hausdorff", this->Hausdorff }, { "MSDM", this->MSDM }, { "MSDM2", this->MSDM2 } });
     });
-  if (ran == 0 || this->GetAbortExecute())
-  {
-    this->ForgetFigures(); // what was measured before that
-  }
-  return ran;
 }
 
-void vtkMeshDistortion::ForgetFigures()
+void vtkMeshDistortion::ResetResults()
 {
   for (double* figure :
     { &this->GeomDiff, &this->CurvDiff, &this->MRMS, &this->Hausdorff, &this->MSDM, &this->MSDM2 })

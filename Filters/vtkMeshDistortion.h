@@ -49,13 +49,13 @@
 #define vtkMeshDistortion_h
 
 #include "vtkFiltersSpectralWatermarkModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkTriangleMeshAlgorithm.h"
 
-class VTKFILTERSSPECTRALWATERMARK_EXPORT vtkMeshDistortion : public vtkPolyDataAlgorithm
+class VTKFILTERSSPECTRALWATERMARK_EXPORT vtkMeshDistortion : public vtkTriangleMeshAlgorithm
 {
 public:
   static vtkMeshDistortion* New();
-  vtkTypeMacro(vtkMeshDistortion, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkMeshDistortion, vtkTriangleMeshAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -123,7 +123,7 @@ private:
   void operator=(const vtkMeshDistortion&) = delete;
 
   struct Surfaces; // both meshes, prepared for what is asked of them
-  void ForgetFigures();
+  void ResetResults() override;
   void ComparePoints(vtkPolyData* reference, vtkPolyData* distorted, vtkPolyData* output);
   void CompareSurfaces(const Surfaces& surfaces, vtkPolyData* output);
   void CompareAppearance(const Surfaces& surfaces, vtkPolyData* output);

@@ -6,9 +6,6 @@
 #include "Core/Support/Errors.h"
 #include "Core/Support/MemoryBudget.h"
 
-#include <vtkInformation.h>
-#include <vtkTable.h>
-
 #include <fstream>
 
 namespace sw = spectralwatermark;
@@ -40,12 +37,13 @@ std::string SecretInFile(const std::string& path)
   const std::streamsize size = file.gcount();
   if (!file.is_open() || file.bad() || (size == 0 && !file.eof()))
   {
-    throw sw::InvalidInput(
-      "the key file \"" + path + "\" cannot be read: check its path and permissions");
+    throw sw::InvalidInput("SecretKeyFile", "the file \"" + path + "\" cannot be read",
+      "check its path and permissions");
   }
   if (size > limit)
   {
-    throw sw::InvalidInput("the key file \"" + path + "\" is over 1 MiB: is it the right file?");
+    throw sw::InvalidInput("SecretKeyFile", "the file \"" + path + "\" is over 1 MiB",
+      "check that it is the right file");
   }
   secret.resize(static_cast<std::size_t>(size));
   for (const char ending : { '\n', '\r' })
@@ -57,7 +55,8 @@ std::string SecretInFile(const std::string& path)
   }
   if (secret.empty())
   {
-    throw sw::InvalidInput("the key file \"" + path + "\" is empty");
+    throw sw::InvalidInput("SecretKeyFile", "the file \"" + path + "\" is empty",
+      "write the secret into it");
   }
   return secret;
 }
@@ -115,16 +114,6 @@ const char* vtkSpectralWatermarkAlgorithm::GetSlotDivisionAsString() const
   return this->SlotDivision == Normal ? "Normal" : "InterleavedNarrow";
 }
 
-int vtkSpectralWatermarkAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 0)
-  {
-    return this->Superclass::FillOutputPortInformation(port, info);
-  }
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
-  return 1;
-}
-
 const char* vtkSpectralWatermarkAlgorithm::GetBitEmbeddingAsString() const
 {
   return this->BitEmbedding == Aggressive ? "Aggressive" : "NonAggressive";
@@ -134,7 +123,8 @@ std::unique_ptr<sw::SecretKey> vtkSpectralWatermarkAlgorithm::ReadSecretKey() co
 {
   if (!this->SecretKey.empty() && !this->SecretKeyFile.empty())
   {
-    throw sw::InvalidInput("SecretKey and SecretKeyFile are both set: leave one of them empty");
+    throw sw::InvalidInput("SecretKeyFile", "a secret key is set as well",
+      "leave one of them empty");
   }
   if (!this->SecretKeyFile.empty())
   {
@@ -164,8 +154,8 @@ void vtkSpectralWatermarkAlgorithm::CheckScheme() const
 {
   if (this->Scheme != PaperSlots && this->Scheme != Robust)
   {
-    throw sw::InvalidInput("scheme " + std::to_string(this->Scheme) +
-      " is unknown: there are PaperSlots (0) and Robust (1)");
+    throw sw::InvalidInput("Scheme", std::to_string(this->Scheme) + " is unknown",
+      "choose PaperSlots (0) or Robust (1)");
   }
 }
 

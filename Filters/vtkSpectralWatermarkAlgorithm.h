@@ -35,7 +35,7 @@
 #define vtkSpectralWatermarkAlgorithm_h
 
 #include "vtkFiltersSpectralWatermarkModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkTriangleMeshAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 #include <string> // for SecretKey
@@ -46,10 +46,11 @@ class SecretKey;
 struct SlotOptions;
 } // namespace spectralwatermark
 
-class VTKFILTERSSPECTRALWATERMARK_EXPORT vtkSpectralWatermarkAlgorithm : public vtkPolyDataAlgorithm
+class VTKFILTERSSPECTRALWATERMARK_EXPORT vtkSpectralWatermarkAlgorithm
+  : public vtkTriangleMeshAlgorithm
 {
 public:
-  vtkAbstractTypeMacro(vtkSpectralWatermarkAlgorithm, vtkPolyDataAlgorithm);
+  vtkAbstractTypeMacro(vtkSpectralWatermarkAlgorithm, vtkTriangleMeshAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -195,8 +196,6 @@ public:
 protected:
   vtkSpectralWatermarkAlgorithm();
   ~vtkSpectralWatermarkAlgorithm() override;
-
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
 
   /**
    * The secret key, from where it was set; nullptr when there is none. Throws when its file cannot

@@ -50,8 +50,7 @@ const char* vtkSpectralWatermarkDetect::GetDetectorAsString() const
 int vtkSpectralWatermarkDetect::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  this->ResetResults();
-  return sw::RunFilter(this, this->ErrorCode, outputs,
+  return this->Run(outputs,
     [&]()
     {
       this->CheckScheme();
@@ -129,6 +128,7 @@ void vtkSpectralWatermarkDetect::ResetResults()
   this->BitErrorRate = -1.0;
   this->Correlation = 0.0;
   this->PValue = 1.0;
+  this->SmallestPValue = -1.0;
   this->LogLikelihoodRatio = 0.0;
   this->Detected = 0;
   this->NumberOfEigensolves = 0;
@@ -140,18 +140,18 @@ std::string vtkSpectralWatermarkDetect::WantedMessage(const sw::SecretKey* key)
 {
   if (!this->UseDerivedMessage)
   {
-    sw::CheckMessage(this->ExpectedMessage);
+    sw::CheckMessage(this->ExpectedMessage, "ExpectedMessage");
     return this->ExpectedMessage;
   }
   if (key == nullptr)
   {
-    throw sw::InvalidInput(
-      "UseDerivedMessage needs a secret key to derive from: set SecretKey or SecretKeyFile");
+    throw sw::InvalidInput("UseDerivedMessage", "there is no secret key to derive a message from",
+      "set a secret key or a file with one");
   }
   if (!this->ExpectedMessage.empty())
   {
-    throw sw::InvalidInput(
-      "UseDerivedMessage and ExpectedMessage are both set: only one message can be looked for");
+    throw sw::InvalidInput("UseDerivedMessage", "an expected message is set as well",
+      "leave one of them unset: only one message can be looked for");
   }
   return key->Message(this->GetNumberOfBits());
 }
@@ -177,12 +177,14 @@ void vtkSpectralWatermarkDetect::Compare(const std::vector<sw::SlotReading>& rea
 
 void vtkSpectralWatermarkDetect::Judge(double smallestPValue)
 {
+  this->SmallestPValue = smallestPValue;
   this->Detected = this->PValue <= this->FalsePositiveRate ? 1 : 0;
   if (smallestPValue > this->FalsePositiveRate)
   {
-    vtkWarningMacro("so few bits cannot prove a mark at a false positive rate of "
-      << this->FalsePositiveRate << ": even full agreement happens by chance with probability "
-      << smallestPValue << ". Embed more bits, or raise FalsePositiveRate");
+    vtkWarningMacro("FalsePositiveRate: this few bits cannot prove a mark at a rate of "
+      << this->FalsePositiveRate
+      << ", since even full agreement happens by chance with probability " << smallestPValue
+      << "; embed more bits, or raise it");
   }
 }
 
@@ -198,6 +200,7 @@ void vtkSpectralWatermarkDetect::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BitErrorRate: " << this->BitErrorRate << "\n";
   os << indent << "Correlation: " << this->Correlation << "\n";
   os << indent << "PValue: " << this->PValue << "\n";
+  os << indent << "SmallestPValue: " << this->SmallestPValue << "\n";
   os << indent << "LogLikelihoodRatio: " << this->LogLikelihoodRatio << "\n";
   os << indent << "Detected: " << this->Detected << "\n";
   os << indent << "UndoneSmoothing: " << this->UndoneSmoothing << "\n";

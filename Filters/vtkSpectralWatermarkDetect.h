@@ -166,6 +166,13 @@ public:
   vtkGetMacro(LogLikelihoodRatio, double);
 
   /**
+   * Get the p-value that full agreement with the expected message would have. Above FalsePositiveRate the
+   * message has too few bits to be detected at all: "not detected" then says nothing. -1 without an
+   * expected message.
+   */
+  vtkGetMacro(SmallestPValue, double);
+
+  /**
    * Get whether PValue is at or under FalsePositiveRate.
    */
   vtkGetMacro(Detected, int);
@@ -185,7 +192,7 @@ private:
   vtkSpectralWatermarkDetect(const vtkSpectralWatermarkDetect&) = delete;
   void operator=(const vtkSpectralWatermarkDetect&) = delete;
 
-  void ResetResults();
+  void ResetResults() override;
   std::string WantedMessage(const spectralwatermark::SecretKey* key);
   void ReadSlots(vtkPolyData* input, vtkTable* table);
   void ReadRobust(vtkPolyData* input, vtkTable* table);
@@ -204,6 +211,7 @@ private:
   double BitErrorRate = -1.0;
   double Correlation = 0.0;
   double PValue = 1.0;
+  double SmallestPValue = -1.0;
   double LogLikelihoodRatio = 0.0;
   int Detected = 0;
   int NumberOfEigensolves = 0;

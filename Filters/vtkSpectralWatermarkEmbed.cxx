@@ -97,8 +97,7 @@ void SetMarkedPoints(vtkPolyData* output, vtkPolyData* input, const sw::PolyData
 int vtkSpectralWatermarkEmbed::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  this->ResetResults();
-  return sw::RunFilter(this, this->ErrorCode, outputs,
+  return this->Run(outputs,
     [&]()
     {
       this->CheckScheme();
@@ -165,9 +164,8 @@ void vtkSpectralWatermarkEmbed::EmbedRobust(vtkPolyData* input, vtkPolyData* out
   options.Message = this->WantedMessage(key.get());
   if (options.Message.empty())
   {
-    throw sw::InvalidInput("the message is empty: set SecretKey or SecretKeyFile, and it is "
-                           "derived from the key; or set "
-                           "Message");
+    throw sw::InvalidInput("Message", "the message is empty",
+      "set one, or set a secret key to derive one from");
   }
   options.MaximumDistortion = this->MaximumDistortion / 100.0;
   options.Threads = sw::ThreadsOfVtk();

@@ -176,7 +176,7 @@ private:
   vtkSpectralWatermarkEmbed(const vtkSpectralWatermarkEmbed&) = delete;
   void operator=(const vtkSpectralWatermarkEmbed&) = delete;
 
-  void ResetResults();
+  void ResetResults() override;
   void EmbedInSlots(vtkPolyData* input, vtkPolyData* output, vtkTable* table);
   void EmbedRobust(vtkPolyData* input, vtkPolyData* output, vtkTable* table);
   std::string WantedMessage(const spectralwatermark::SecretKey* key) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Marks a PLY mesh with bits of a secret key, asks the file that was written whose it is, and says
-// what it cost.
+// Marks a PLY mesh with bits of a secret key, detects the mark in the file that was written, and
+// prints the distortion.
 //
 //   WatermarkMesh IN.ply OUT.ply KEYFILE
 #include <vtkMeshDistortion.h>
@@ -36,7 +36,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkSpectralWatermarkEmbed> embed;
   embed->SetInputConnection(reader->GetOutputPort());
   embed->SetSecretKeyFile(keyFile); // the message is derived from it
-  // PLY stores floats: have the mark verified on the points as the file will hold them.
+  // PLY stores floats, so the filter verifies the mark on points in single precision.
   embed->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
   embed->Update();
   if (!embed->GetConverged())
@@ -63,7 +63,7 @@ int main(int argc, char* argv[])
   detect->Update();
   if (detect->GetErrorCode() != 0)
   {
-    return EXIT_FAILURE; // no verdict: VTK said why
+    return EXIT_FAILURE; // no verdict: VTK has printed the error
   }
 
   vtkNew<vtkMeshDistortion> distortion;

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Marks every mesh of a folder, and writes down what each mark cost and how firmly it holds.
+"""Marks every mesh of a folder and records the distortion and the margin of each mark.
 
     PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 Examples/Python/batch_folder.py \
         FOLDER OUTPUT KEYFILE
 
-OUTPUT gets the marked meshes, those that are not there yet, and marks.csv. A mesh that cannot be read or marked
-is reported, and the rest goes on. (spectral-watermark embed FOLDER/* --output-dir OUTPUT --key-file KEYFILE does
-much the same, several at a time.)
+OUTPUT gets the marked meshes and marks.csv; meshes that it already contains are skipped. A mesh that cannot be
+read or marked is reported, and the others are still processed. (spectral-watermark embed FOLDER/* --output-dir
+OUTPUT --key-file KEYFILE does much the same, for several meshes at a time.)
 """
 
 import csv
@@ -46,11 +46,11 @@ def mark(path: Path, target: Path, key_file: str) -> list:
     embed = vtkSpectralWatermarkEmbed()
     embed.SetInputData(read_mesh(path))
     embed.SetSecretKeyFile(key_file)
-    if stores_float(target):  # have the mark verified on what the file will hold
+    if stores_float(target):  # then the filter verifies the mark in single precision
         embed.SetOutputPointsPrecision(embed.SINGLE_PRECISION)
     update(embed)
     if not embed.GetConverged():
-        raise FilterError("the mark did not hold: not written")
+        raise FilterError("the mark could not be embedded; nothing was written")
     write_mesh(embed.GetOutput(), target)
     return [path.name, embed.GetOutput().GetNumberOfPoints(), embed.GetDistortion(), embed.GetMargin()]
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Filters geometry as one filters sound: fewer high frequencies, or more of the middle ones.
+"""Filters geometry like sound: removes high frequencies, or amplifies the middle ones.
 
     PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 Examples/Python/filter_geometry.py \
         MESH OUTPUT_FOLDER [HARMONICS]
 
-Writes smooth.ply (a low-pass filter: the first tenth of the harmonics, and nothing else) and enhanced.ply (the
-middle frequencies half as strong again, and all detail kept).
+Writes smooth.ply (a low-pass filter that keeps only the first tenth of the harmonics) and enhanced.ply (the middle
+frequencies amplified by half, with all detail kept).
 """
 
 import sys
@@ -32,8 +32,8 @@ def main(mesh: str, folder: str, count: str = "300") -> None:
     enhance = vtkManifoldHarmonicsReconstruction()
     enhance.SetInputConnection(harmonics.GetOutputPort())  # the basis is computed once for both
     enhance.KeepResidualOn()
-    for component in range(count // 10, count + 1):  # counted from 1; 1 is the position
-        rising = min(1.0, (component - count // 10) / (0.1 * count))  # without a step, which would ring
+    for component in range(count // 10, count + 1):  # counted from 1; the first is the position
+        rising = min(1.0, (component - count // 10) / (0.1 * count))  # gradually, because a step would ring
         enhance.SetGain(component, 1.0 + 0.5 * rising)
 
     for filter_, name in ((low_pass, "smooth.ply"), (enhance, "enhanced.ply")):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The basis as a numpy array: smooth a mesh by hand and compare with the filter.
+"""Uses the basis as a numpy array: smooths a mesh by hand and compares the result with the filter.
 
     harmonics_numpy.py [MESH.ply]
 """
@@ -31,7 +31,7 @@ def main() -> None:
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)  # (n, 3)
 
     spectrum = basis.T @ (mass[:, None] * points)  # equation 6
-    smooth = basis @ spectrum  # equation 7: what the first 100 harmonics hold
+    smooth = basis @ spectrum  # equation 7: the shape in the first 100 harmonics
     print(f"{len(points)} vertices; wavelength of harmonic 100: "
           f"{2.0 * np.pi / np.sqrt(eigenvalues[-1]):.3g} model units")
 

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shows a mesh coloured by its harmonics, with a slider over them.
+"""Shows a mesh coloured by its harmonics, with a slider to choose one.
 
     PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 Examples/Python/harmonics_viewer.py \
         MESH [--number M] [--show K --picture OUTPUT.png]
 
-With --picture it draws harmonic K into a file and ends, instead of waiting for somebody to turn the mesh.
+With --picture it draws harmonic K into a file and ends.
 """
 
 import argparse
@@ -108,9 +108,9 @@ class Viewer:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("mesh", type=Path)
-    parser.add_argument("--number", type=int, default=100, help="how many harmonics (default: 100)")
-    parser.add_argument("--show", type=int, default=10, help="which one first (default: 10)")
-    parser.add_argument("--picture", type=Path, help="draw it into this PNG file and end")
+    parser.add_argument("--number", type=int, default=100, help="number of harmonics (default: 100)")
+    parser.add_argument("--show", type=int, default=10, help="the harmonic to show first (default: 10)")
+    parser.add_argument("--picture", type=Path, help="draw the harmonic into this PNG file and end")
     arguments = parser.parse_args()
     viewer = Viewer(arguments.mesh, arguments.number)
     viewer.interactor.Initialize()

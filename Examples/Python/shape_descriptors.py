@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Describes shapes by their harmonics: ShapeDNA for the whole, heat kernel signatures point by point.
+"""Describes shapes by their harmonics: ShapeDNA for the whole shape, heat kernel signatures for each point.
 
     PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 Examples/Python/shape_descriptors.py \
         MESH... [--output FOLDER]
 
-ShapeDNA (Reuter, Wolter and Peinecke, 2006) is the beginning of the spectrum of eigenvalues, here times the
-area so that size does not count: shapes with the same one bend into each other without stretching, or are
-different in a way that a drum cannot tell. The heat kernel signature (Sun, Ovsjanikov and Guibas, 2009) is how
-much heat is left at a point after a time t: sum over k of exp(-t lambda_k) H_k(point)^2. With --output, each mesh
-is written with its signatures at eight times as the array HeatKernelSignature, to be coloured in ParaView.
+ShapeDNA (Reuter, Wolter and Peinecke, 2006) consists of the first eigenvalues, here multiplied by the area so that
+the size does not count. It does not change when a shape bends without stretching. The heat kernel signature (Sun,
+Ovsjanikov and Guibas, 2009) is the heat that remains at a point after a time t: the sum over k of
+exp(-t lambda_k) H_k(point)^2. With --output, each mesh is written with its signatures at eight times in the array
+HeatKernelSignature, for example to colour it in ParaView.
 """
 
 import argparse
@@ -58,19 +58,21 @@ def harmonics_of(mesh: vtkPolyData) -> vtkPolyData:
 
 
 def shape_dna(mesh: vtkPolyData) -> np.ndarray:
-    """Eigenvalues after the 0, without their unit."""
+    """The eigenvalues after the 0, made independent of the unit of length."""
     eigenvalues = vtk_to_numpy(mesh.GetFieldData().GetArray("Eigenvalues"))
     area = vtk_to_numpy(mesh.GetPointData().GetArray("VertexMass")).sum()
     return area * eigenvalues[1:OF_THE_DNA + 1]
 
 
 def heat_kernel_signature(mesh: vtkPolyData) -> np.ndarray:
-    """A row per point, a column per time, from the slowest wave's to the fastest one's, evenly in
-    logarithms; each column has the mean 1 over the surface, so that times compare."""
+    """A row for each point and a column for each time, evenly spaced in logarithms.
+
+    Each column has the mean 1 over the surface, so that times compare.
+    """
     eigenvalues = vtk_to_numpy(mesh.GetFieldData().GetArray("Eigenvalues"))
     basis = vtk_to_numpy(mesh.GetPointData().GetArray("ManifoldHarmonics"))
     mass = vtk_to_numpy(mesh.GetPointData().GetArray("VertexMass"))
-    longest, shortest = 4.0 * np.log(10.0) / eigenvalues[[1, -1]]  # as the authors choose them
+    longest, shortest = 4.0 * np.log(10.0) / eigenvalues[[1, -1]]  # the range that the authors choose
     times = np.geomspace(shortest, longest, TIMES)
     signature = basis**2 @ np.exp(-np.outer(eigenvalues, times))
     return signature * mass.sum() / (mass @ signature)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Marks a mesh, simplifies the copy, asks whose it is: one VTK pipeline, updated at its end.
+"""Marks a mesh, simplifies the copy and looks for the mark, in one VTK pipeline.
 
     PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 Examples/Python/watermark_pipeline.py [MESH.ply]
 """

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/BasisTransfer.h"
 
-#include "Core/Mesh/TriangleMesh.h"
 #include "Core/Support/Progress.h"
 
 #include "Private/ClosestPoints.h"

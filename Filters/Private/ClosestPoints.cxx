@@ -101,8 +101,9 @@ std::vector<SurfacePoint> ClosestPoints::To(const TriangleMesh::PointMatrix& poi
   const auto isMissing = [](const SurfacePoint& point) { return point.Triangle < 0; };
   if (std::any_of(found.begin(), found.end(), isMissing))
   {
-    throw InvalidInput("no triangle of the surface has an area, so there is nothing to measure the "
-                       "distance from: mend the mesh");
+    throw InvalidInput("",
+      "no triangle of the surface has an area, so there is nothing to measure the distance from",
+      "repair the mesh");
   }
   return found;
 }

@@ -5,18 +5,16 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkDataObject.h>
-#include <vtkErrorCode.h>
 #include <vtkExecutive.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkSMPTools.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkVersionMacros.h>
 
 #include <cmath>
 #include <memory>
-#include <new>
-#include <string>
 
 namespace spectralwatermark
 {
@@ -24,8 +22,20 @@ namespace spectralwatermark
 namespace
 {
 
-// Observers can be slow (a window, a terminal): they hear of every half percent.
+// Observers can be slow (a window, a terminal): they are notified of every half percent.
 constexpr double ProgressStep = 0.005;
+
+// Whether to stop. VTK from 9.3 on, and ParaView from 5.11 on, also ask upstream and a filter's container.
+bool MustStop(vtkAlgorithm* filter)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220823)
+  return filter->CheckAbort();
+#else
+  return filter->GetAbortExecute() != 0;
+#endif
+}
+
+} // namespace
 
 void EmptyOutputs(vtkInformationVector* outputs)
 {
@@ -45,12 +55,11 @@ void CheckPieces(vtkInformationVector* outputs)
   if (info != nullptr && info->Has(const_cast<vtkInformationIntegerKey*>(key)) &&
     info->Get(const_cast<vtkInformationIntegerKey*>(key)) > 1)
   {
-    throw InvalidInput("this filter needs the whole mesh at once and was asked for one of several "
-                       "pieces: gather the mesh on one rank first");
+    throw InvalidInput("",
+      "this filter needs the whole mesh at once and was asked for one of several pieces",
+      "gather the mesh on one rank first");
   }
 }
-
-} // namespace
 
 Progress ProgressOf(vtkAlgorithm* filter)
 {
@@ -63,7 +72,7 @@ Progress ProgressOf(vtkAlgorithm* filter)
         *reported = fraction;
         filter->UpdateProgress(fraction);
       }
-      return !filter->GetAbortExecute();
+      return !MustStop(filter);
     });
 }
 
@@ -76,44 +85,7 @@ void CheckFinite(const char* property, double value)
 {
   if (!std::isfinite(value))
   {
-    throw InvalidInput(std::string(property) + " must be finite");
-  }
-}
-
-int RunFilter(vtkAlgorithm* filter, unsigned long& errorCode, vtkInformationVector* outputs,
-  const std::function<void()>& recipe)
-{
-  const auto fail = [&](unsigned long code, const char* what)
-  {
-    errorCode = code;
-    EmptyOutputs(outputs);
-    vtkErrorWithObjectMacro(filter, << what);
-    return 0;
-  };
-  errorCode = vtkErrorCode::NoError;
-  try
-  {
-    CheckPieces(outputs);
-    recipe();
-    return 1;
-  }
-  catch (const Aborted&)
-  {
-    EmptyOutputs(outputs);
-    return 1;
-  }
-  catch (const InvalidInput& error)
-  {
-    return fail(vtkErrorCode::UserError, error.what());
-  }
-  catch (const std::bad_alloc&)
-  {
-    return fail(vtkErrorCode::UnknownError,
-      "not enough memory: close other programs, or simplify the mesh first");
-  }
-  catch (const std::exception& error)
-  {
-    return fail(vtkErrorCode::UnknownError, error.what());
+    throw InvalidInput(property, "the value is not finite", "give a finite number");
   }
 }
 
@@ -133,7 +105,7 @@ void RunInternalFilter(vtkAlgorithm* inner, vtkAlgorithm* outer, double begin, d
       const auto& to = *static_cast<Forwarding*>(data);
       auto* from = static_cast<vtkAlgorithm*>(caller);
       to.Outer->UpdateProgress(to.Begin + from->GetProgress() * (to.End - to.Begin));
-      if (to.Outer->GetAbortExecute())
+      if (MustStop(to.Outer))
       {
         from->SetAbortExecute(1);
       }
@@ -144,7 +116,7 @@ void RunInternalFilter(vtkAlgorithm* inner, vtkAlgorithm* outer, double begin, d
   inner->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, ignore);
   inner->Update();
   inner->RemoveObserver(tag);
-  if (outer->GetAbortExecute())
+  if (MustStop(outer))
   {
     throw Aborted();
   }

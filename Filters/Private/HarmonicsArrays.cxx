@@ -152,9 +152,9 @@ ManifoldHarmonics FindAnyOrComputeHarmonics(vtkPolyData* input, const char* basi
   }
   if (count == 0)
   {
-    throw InvalidInput(std::string("the input carries no basis \"") + basisName +
-      "\" that fits its geometry: put vtkManifoldHarmonics before this filter, or set "
-      "NumberOfHarmonics to have one computed");
+    throw InvalidInput("NumberOfHarmonics",
+      std::string("the input carries no basis \"") + basisName + "\" that fits its geometry",
+      "put vtkManifoldHarmonics before this filter, or ask for one or more to be computed");
   }
   return FindOrComputeHarmonics(input, mesh, count, progress, eigensolves);
 }

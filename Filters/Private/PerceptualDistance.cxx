@@ -4,7 +4,6 @@
 #include "Core/Distortion/BallNeighbourhood.h"
 #include "Core/Distortion/StructuralDistortion.h"
 #include "Core/Mesh/Measures.h"
-#include "Core/Support/Progress.h"
 
 namespace spectralwatermark
 {

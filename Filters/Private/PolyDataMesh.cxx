@@ -33,16 +33,22 @@ void CheckNotEmpty(vtkPolyData* input)
 {
   if (input == nullptr || input->GetNumberOfPoints() == 0)
   {
-    throw InvalidInput("the input has no points: connect a mesh, and check that its file was read");
+    throw InvalidInput("", "the input has no points",
+      "connect a mesh, and check that its file was read");
   }
   if (input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
   {
-    throw InvalidInput("the input has points but no polygons or triangle strips: a surface is "
-                       "needed; reconstruct one first if this is a point cloud");
+    throw InvalidInput("",
+      "the input has points but no polygons or triangle strips, and a surface is needed",
+      "reconstruct one first if this is a point cloud");
   }
 }
 
-constexpr const char* NoSurface = "no polygon has three distinct points: there is no surface";
+[[noreturn]] void RefuseNoSurface()
+{
+  throw InvalidInput("", "no polygon has three distinct points: there is no surface",
+    "repair the mesh");
+}
 
 // Lengths to the sixth power are computed with.
 constexpr double SmallestSize = 1e-50;
@@ -72,8 +78,10 @@ void CheckCorners(vtkCellArray* cells, vtkIdType pointCount)
       {
         if (corners[i] < 0 || corners[i] >= pointCount)
         {
-          throw InvalidInput("a cell uses point " + std::to_string(corners[i]) +
-            ", but there are " + std::to_string(pointCount) + " points: the mesh is damaged");
+          throw InvalidInput("",
+            "a cell uses point " + std::to_string(corners[i]) + ", but there are " +
+              std::to_string(pointCount) + " points",
+            "repair the mesh: it is damaged");
         }
       }
     });
@@ -90,13 +98,14 @@ void CheckPoint(vtkIdType id, const Eigen::Vector3d& point)
 {
   if (!point.allFinite())
   {
-    throw InvalidInput("point " + std::to_string(id) +
-      " has a coordinate that is not finite: remove it and its polygons, or mend the file");
+    throw InvalidInput("", "point " + std::to_string(id) + " has a coordinate that is not finite",
+      "remove it and its polygons, or repair the file");
   }
   if (point.cwiseAbs().maxCoeff() > LargestCoordinate)
   {
-    throw InvalidInput("point " + std::to_string(id) + " has a coordinate beyond " +
-      Rounded(LargestCoordinate) + ": mend the file, or choose larger units");
+    throw InvalidInput("",
+      "point " + std::to_string(id) + " has a coordinate beyond " + Rounded(LargestCoordinate),
+      "repair the file, or choose larger units");
   }
 }
 
@@ -226,7 +235,7 @@ TriangleMesh::TriangleMatrix ProperTriangles(const std::vector<Triangle>& triang
   }
   if (kept == 0)
   {
-    throw InvalidInput(NoSurface);
+    RefuseNoSurface();
   }
   proper.conservativeResize(kept, 3);
   return proper;
@@ -237,8 +246,8 @@ void CheckSize(const TriangleMesh::PointMatrix& points)
   const double size = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
   if (!(size > SmallestSize))
   {
-    throw InvalidInput("the mesh is only " + Rounded(size) +
-      " large: choose smaller units, so that its size is about 1");
+    throw InvalidInput("", "the mesh is only " + Rounded(size) + " large",
+      "choose smaller units, so that its size is about 1");
   }
 }
 
@@ -258,7 +267,7 @@ PolyDataMesh ToMesh(vtkPolyData* input, CoincidentPoints coincident)
   const std::vector<Triangle> triangles = TrianglesOf(Triangulated(input));
   if (triangles.empty())
   {
-    throw InvalidInput(NoSurface);
+    RefuseNoSurface();
   }
   const std::vector<vtkIdType> used = UsedPoints(triangles, pointCount);
 
@@ -313,9 +322,11 @@ void CheckStorable(const TriangleMesh::PointMatrix& points, bool storesFloat)
                                      : std::numeric_limits<double>::max();
   if (!points.allFinite() || points.cwiseAbs().maxCoeff() > largest)
   {
-    throw InvalidInput(std::string("the result has coordinates beyond what ") +
-      (storesFloat ? "float holds: set OutputPointsPrecision to double, or scale the mesh"
-                   : "double holds: scale the mesh, or choose smaller values"));
+    throw InvalidInput(storesFloat ? "OutputPointsPrecision" : "",
+      std::string("the result has coordinates beyond what ") + (storesFloat ? "float" : "double") +
+        " holds",
+      storesFloat ? "store double points, or scale the mesh"
+                  : "scale the mesh, or choose smaller values");
   }
 }
 

@@ -4,7 +4,9 @@
 #include "Core/Mesh/EdgeTopology.h"
 #include "Core/Mesh/Measures.h"
 #include "Core/Mesh/Orientation.h"
+#include "Core/Support/Errors.h"
 #include "Core/Support/MemoryBudget.h"
+#include "Core/Support/Progress.h"
 #include "Private/FilterExecution.h"
 #include "Private/PolyDataMesh.h"
 #include "Private/SignedDistances.h"
@@ -121,13 +123,13 @@ double NumberOfNewPieces(const TriangleMesh& mesh, double edge)
 
 [[noreturn]] void RefuseAsTooThin()
 {
-  throw InvalidInput("the surface is too thin for its extent to be remeshed uniformly: simplify "
-                     "or subdivide it instead");
+  throw InvalidInput("", "the surface is too thin for its extent to be remeshed uniformly",
+    "simplify or subdivide it instead");
 }
 
 void RequireMemoryToRemesh(double bytes, Index count)
 {
-  RequireMemory(bytes, std::to_string(count) + " vertices", "lower RemeshingPercent");
+  RequireMemory(bytes, std::to_string(count) + " vertices", "lower it", "RemeshingPercent");
 }
 
 // Of the pieces. Throws also where there would be no end of them.
@@ -186,8 +188,10 @@ TriangleMesh Subdivide(const TriangleMesh& mesh, Subdivision kind, int times, vt
   RunInternalFilter(subdivide, filter, 0.1, 0.9);
   if (subdivide->GetOutput()->GetNumberOfPolys() == 0)
   {
-    throw InvalidInput("the surface cannot be subdivided: an edge has more than two triangles, or "
-                       "its triangles are turned against each other");
+    throw InvalidInput("",
+      "the surface cannot be subdivided: an edge has more than two triangles, or its triangles are "
+      "oriented against each other",
+      "repair the mesh");
   }
   return ToMesh(subdivide->GetOutput(), CoincidentPoints::Keep).Mesh;
 }
@@ -219,7 +223,7 @@ TriangleMesh ResampleUniformly(const TriangleMesh& mesh, Index count, vtkAlgorit
   }
   if (clustered->GetNumberOfPolys() == 0)
   {
-    throw InvalidInput("no triangle is left: raise RemeshingPercent");
+    throw InvalidInput("RemeshingPercent", "no triangle is left", "raise it");
   }
   return ToMesh(clustered).Mesh;
 }
@@ -228,18 +232,20 @@ TriangleMesh ResampleByIsosurface(const TriangleMesh& mesh, int resolution, vtkA
 {
   if (!IsClosed(mesh))
   {
-    throw InvalidInput(
-      "an isosurface of the distance needs a closed surface, with an inside: close "
-      "the holes (vtkFillHolesFilter), or use the uniform remeshing");
+    throw InvalidInput("RemeshingMethod",
+      "an isosurface of the distance needs a closed surface, with an inside",
+      "close the holes, or remesh uniformly");
   }
   RequireMemory(MemoryOfIsosurface(mesh, resolution),
-    std::to_string(resolution) + " steps along the longest side", "lower IsosurfaceResolution");
+    std::to_string(resolution) + " steps along the longest side", "lower it",
+    "IsosurfaceResolution");
   const vtkSmartPointer<vtkImageData> distances =
     SignedDistances(Oriented(mesh), resolution, ProgressOf(filter).Part(0.1, 0.9));
   constexpr double nearly = 1e-3; // of a step: around such a node there is next to no surface
   if (distances->GetScalarRange()[0] > -nearly * distances->GetSpacing()[0])
   {
-    throw InvalidInput("the solid is thinner than a step of the grid: raise IsosurfaceResolution");
+    throw InvalidInput("IsosurfaceResolution", "the solid is thinner than a step of the grid",
+      "raise it");
   }
   vtkNew<vtkFlyingEdges3D> contour;
   contour->SetInputData(distances);

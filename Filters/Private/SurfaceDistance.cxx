@@ -2,7 +2,6 @@
 #include "Private/SurfaceDistance.h"
 
 #include "Core/Mesh/Measures.h"
-#include "Core/Support/Progress.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Times embedding and detection in both schemes, with their own settings; prints medians.
+"""Times embedding and detection in both schemes with their default settings and prints medians.
 
     PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 Testing/Benchmark/embed_detect.py \
         MESH.ply [MESH.ply ...] [--runs N]

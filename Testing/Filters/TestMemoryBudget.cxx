@@ -35,7 +35,7 @@ namespace
 constexpr double Little = 60e6;
 
 void ExpectRefusal(vtkPolyDataAlgorithm* filter, const std::string& work, const std::string& advice,
-  double free = Little)
+  double free = Little, const std::string& parameter = "")
 {
   Listener listener(filter);
   {
@@ -44,8 +44,9 @@ void ExpectRefusal(vtkPolyDataAlgorithm* filter, const std::string& work, const 
     filter->Update();
   }
   EXPECT_EQ(filter->GetErrorCode(), vtkErrorCode::UserError);
+  EXPECT_EQ(vtkTriangleMeshAlgorithm::SafeDownCast(filter)->GetErrorParameter(), parameter);
   EXPECT_NE(listener.Errors.find(work + " need about "), std::string::npos) << listener.Errors;
-  EXPECT_NE(listener.Errors.find(" are free: " + advice), std::string::npos) << listener.Errors;
+  EXPECT_NE(listener.Errors.find(" are free; " + advice), std::string::npos) << listener.Errors;
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
@@ -238,7 +239,7 @@ TEST(MemoryLimit, AnAllocationThatFails)
     attack->Update();
   }
   EXPECT_EQ(attack->GetErrorCode(), vtkErrorCode::UnknownError);
-  EXPECT_NE(listener.Errors.find("not enough memory: close other programs, or simplify"),
+  EXPECT_NE(listener.Errors.find("not enough memory; close other programs, or simplify"),
     std::string::npos)
     << listener.Errors;
   EXPECT_EQ(attack->GetOutput()->GetNumberOfPoints(), 0);
@@ -258,15 +259,16 @@ TEST(MemoryLimit, Attacks)
   attack->SetInputData(LargeSphere());
   attack->SetAttackToSubdivision();
   attack->SetNumberOfSubdivisions(6);
-  ExpectRefusal(attack, "335544320 triangles", "lower NumberOfSubdivisions");
+  ExpectRefusal(attack, "335544320 triangles", "lower it", Little, "NumberOfSubdivisions");
   attack->SetSubdivisionTypeToSqrt3();
-  ExpectRefusal(attack, "59719680 triangles", "lower NumberOfSubdivisions");
+  ExpectRefusal(attack, "59719680 triangles", "lower it", Little, "NumberOfSubdivisions");
   attack->SetAttackToRemeshing();
   attack->SetRemeshingPercent(1000.0);
-  ExpectRefusal(attack, "409620 vertices", "lower RemeshingPercent");
+  ExpectRefusal(attack, "409620 vertices", "lower it", Little, "RemeshingPercent");
   attack->SetRemeshingMethodToIsosurface();
   attack->SetIsosurfaceResolution(1024);
-  ExpectRefusal(attack, "1024 steps along the longest side", "lower IsosurfaceResolution");
+  ExpectRefusal(attack, "1024 steps along the longest side", "lower it", Little,
+    "IsosurfaceResolution");
 }
 
 #endif

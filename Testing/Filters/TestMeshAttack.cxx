@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Mesh/Measures.h"
 
-#include "Support/FilterTesting.h"
+#include "Support/ExpectError.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -443,15 +443,6 @@ vtkSmartPointer<vtkPolyData> ThreeOnOneEdge()
   return PolyData(fins);
 }
 
-void ExpectError(vtkMeshAttack* attack, const std::string& part)
-{
-  Listener listener(attack);
-  attack->Update();
-  EXPECT_NE(listener.Errors.find(part), std::string::npos) << listener.Errors;
-  EXPECT_NE(attack->GetErrorCode(), 0u);
-  EXPECT_EQ(attack->GetOutput()->GetNumberOfPoints(), 0);
-}
-
 } // namespace
 
 TEST(MeshAttack, PropertiesMustBeFinite)
@@ -487,7 +478,7 @@ TEST(MeshAttack, PropertiesMustBeFinite)
   {
     const auto attack = AttackOn(mesh, property.Attack);
     property.Set(attack, vtkMath::Nan());
-    ExpectError(attack, property.Name + std::string(" must be finite"));
+    ExpectError(attack, property.Name, "the value is not finite");
   }
 }
 
@@ -497,7 +488,7 @@ TEST(MeshAttack, AnErrorIsSaidOnce)
   vtkNew<vtkStringOutputWindow> window;
   const vtkSmartPointer<vtkOutputWindow> before = vtkOutputWindow::GetInstance();
   vtkOutputWindow::SetInstance(window);
-  ExpectError(AttackOn(ThreeOnOneEdge(), vtkMeshAttack::Subdivision), "cannot be subdivided");
+  ExpectError(AttackOn(ThreeOnOneEdge(), vtkMeshAttack::Subdivision), "", "cannot be subdivided");
   vtkOutputWindow::SetInstance(before);
   EXPECT_EQ(window->GetOutput(), "");
 }
@@ -505,55 +496,56 @@ TEST(MeshAttack, AnErrorIsSaidOnce)
 TEST(MeshAttack, UnknownAttackAndBadParametersAreErrors)
 {
   const auto mesh = PolyData(shapes::Bumpy(1));
-  ExpectError(AttackOn(mesh, 77), "attack 77 is unknown");
+  ExpectError(AttackOn(mesh, 77), "Attack", "77 is unknown");
   EXPECT_STREQ(AttackOn(mesh, 77)->GetAttackAsString(), "Unknown");
   auto attack = AttackOn(mesh, vtkMeshAttack::Rotation);
   attack->SetRotationAxis(0.0, 0.0, 0.0);
-  ExpectError(attack, "length 0");
+  ExpectError(attack, "RotationAxis", "length 0");
   attack = AttackOn(mesh, vtkMeshAttack::SpectralSmoothing);
-  ExpectError(attack, "300 harmonics were asked for, but the mesh has 42");
+  ExpectError(attack, "NumberOfHarmonics",
+    "300 harmonics were requested, but the mesh has only 42");
   attack = AttackOn(mesh, vtkMeshAttack::Subdivision);
   attack->SetSubdivisionType(5);
-  ExpectError(attack, "subdivision type 5 is unknown");
+  ExpectError(attack, "SubdivisionType", "5 is unknown");
   attack = AttackOn(ThreeOnOneEdge(), vtkMeshAttack::Subdivision);
   for (const int rule : { vtkMeshAttack::Midpoint, vtkMeshAttack::Loop })
   {
     attack->SetSubdivisionType(rule);
-    ExpectError(attack, "cannot be subdivided: an edge has more than two triangles");
+    ExpectError(attack, "", "cannot be subdivided: an edge has more than two triangles");
   }
   attack = AttackOn(mesh, vtkMeshAttack::Remeshing);
   attack->SetRemeshingMethod(-1);
-  ExpectError(attack, "remeshing method -1 is unknown");
+  ExpectError(attack, "RemeshingMethod", "-1 is unknown");
   attack = AttackOn(PolyData(shapes::Rectangle(3, 3, 1.0, 1.0)), vtkMeshAttack::Remeshing);
   attack->SetRemeshingMethodToIsosurface();
-  ExpectError(attack, "needs a closed surface");
+  ExpectError(attack, "RemeshingMethod", "needs a closed surface");
   shapes::TriangleMesh flat = shapes::Icosphere(2);
   flat.Points.col(2) *= 1e-4;
   attack = AttackOn(PolyData(flat), vtkMeshAttack::Remeshing);
   attack->SetRemeshingMethodToIsosurface();
   attack->SetIsosurfaceResolution(8);
-  ExpectError(attack, "thinner than a step of the grid: raise IsosurfaceResolution");
+  ExpectError(attack, "IsosurfaceResolution", "thinner than a step of the grid; raise it");
   attack = AttackOn(mesh, vtkMeshAttack::NonUniformScaling);
   attack->SetAxisScaleFactors(1.0, 0.0, 1.0);
-  ExpectError(attack, "AxisScaleFactors has a 0");
+  ExpectError(attack, "AxisScaleFactors", "a factor of 0");
   attack = AttackOn(PolyData(shapes::Icosphere(0)), vtkMeshAttack::Simplification);
   attack->SetSimplificationPercent(99.9);
-  ExpectError(attack, "no triangle is left: lower SimplificationPercent");
+  ExpectError(attack, "SimplificationPercent", "no triangle is left; lower it");
   attack = AttackOn(PolyData(shapes::Icosphere(0)), vtkMeshAttack::Remeshing);
   attack->SetRemeshingPercent(0.1);
-  ExpectError(attack, "no triangle is left: raise RemeshingPercent");
+  ExpectError(attack, "RemeshingPercent", "no triangle is left; raise it");
   shapes::TriangleMesh needle = shapes::Icosphere(3); // from corner to corner of its bounding box
   needle.Points *= 1e-4;
   needle.Points.colwise() += Eigen::VectorXd::LinSpaced(needle.NumberOfVertices(), 0.0, 1.0).eval();
   shapes::TriangleMesh ribbon = shapes::Rectangle(3, 3, 1.0, 1e-5); // along an axis
   for (const shapes::TriangleMesh& thin : { needle, ribbon })
   {
-    ExpectError(AttackOn(PolyData(thin), vtkMeshAttack::Remeshing),
+    ExpectError(AttackOn(PolyData(thin), vtkMeshAttack::Remeshing), "",
       "too thin for its extent to be remeshed uniformly");
   }
   attack = AttackOn(mesh, vtkMeshAttack::Cropping);
   attack->SetCroppingPercent(99.0);
-  ExpectError(attack, "no polygon is left");
+  ExpectError(attack, "CroppingPercent", "no polygon is left");
 }
 
 TEST(MeshAttack, PrintsItsProperties)

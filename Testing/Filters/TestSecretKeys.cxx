@@ -183,7 +183,8 @@ TEST_F(SecretKeys, FilesThatCannotBeUsedAreErrors)
 {
   this->Embed->SetSecretKey(nullptr);
   this->Embed->SetSecretKeyFile("/no/such/file.key");
-  EXPECT_NE(this->ErrorOf(this->Embed).find("\"/no/such/file.key\" cannot be read"),
+  EXPECT_NE(
+    this->ErrorOf(this->Embed).find("SecretKeyFile: the file \"/no/such/file.key\" cannot be read"),
     std::string::npos);
   this->Embed->SetSecretKeyFile(testing::TempDir().c_str());
   EXPECT_NE(this->ErrorOf(this->Embed).find("cannot be read"), std::string::npos);
@@ -195,19 +196,20 @@ TEST_F(SecretKeys, FilesThatCannotBeUsedAreErrors)
   this->Embed->Modified();
   EXPECT_NE(this->ErrorOf(this->Embed).find("over 1 MiB"), std::string::npos);
   this->Embed->SetSecretKey("and a key");
-  EXPECT_NE(this->ErrorOf(this->Embed).find("both set"), std::string::npos);
+  EXPECT_NE(this->ErrorOf(this->Embed).find("a secret key is set as well"), std::string::npos);
 }
 
 TEST_F(SecretKeys, ContradictionsAreErrors)
 {
   this->Detect->SetInputData(PolyData(shapes::Bumpy(3)));
   this->Detect->UseDerivedMessageOn();
-  EXPECT_NE(this->ErrorOf(this->Detect).find("needs a secret key"), std::string::npos);
+  EXPECT_NE(this->ErrorOf(this->Detect).find("no secret key to derive a message from"),
+    std::string::npos);
   this->Detect->SetSecretKey("a key");
   this->Detect->SetExpectedMessage("101");
   EXPECT_NE(this->ErrorOf(this->Detect).find("only one message"), std::string::npos);
   this->Embed->SetSecretKey("");
-  EXPECT_NE(this->ErrorOf(this->Embed).find("or a secret key"), std::string::npos);
+  EXPECT_NE(this->ErrorOf(this->Embed).find("or set a secret key"), std::string::npos);
 }
 
 TEST_F(SecretKeys, TheSecretIsNeverPrinted)

@@ -329,6 +329,7 @@ TEST(WatermarkFilters, VerdictOnAnExpectedMessage)
   EXPECT_EQ(detect->GetCorrelation(), 1.0);
   // Three ones at 0.52 at most and two zeros at 0.6: unmarked meshes read no fair coins.
   EXPECT_NEAR(detect->GetPValue(), 0.52 * 0.52 * 0.52 * 0.6 * 0.6, 1e-15);
+  EXPECT_EQ(detect->GetSmallestPValue(), detect->GetPValue()); // all bits agree
   EXPECT_EQ(detect->GetDetected(), 0);
   EXPECT_NE(listener.Warnings.find("cannot prove"), std::string::npos);
   listener.Warnings.clear();
@@ -345,6 +346,7 @@ TEST(WatermarkFilters, VerdictOnAnExpectedMessage)
   EXPECT_LT(detect->GetPValue(), 1.0);
   EXPECT_EQ(detect->GetDetected(), 0);
   EXPECT_EQ(detect->GetMessageIsValid(), 0);
+  EXPECT_NEAR(detect->GetSmallestPValue(), 0.52 * 0.52 * 0.6 * 0.6 * 0.6, 1e-15);
 
   // Five bits cannot reach one in a million, and that is said.
   detect->SetFalsePositiveRate(1e-6);

@@ -24,6 +24,20 @@ PyObject* TracedFiles = nullptr; // a tuple
   std::abort();
 }
 
+// The number of a file in TracedFiles, from 1, or 0 for another file.
+unsigned FileNumber(PyObject* name)
+{
+  const Py_ssize_t count = PyTuple_GET_SIZE(TracedFiles);
+  for (Py_ssize_t i = 0; i < count; ++i)
+  {
+    if (PyTuple_GET_ITEM(TracedFiles, i) == name)
+    {
+      return static_cast<unsigned>(i) + 1;
+    }
+  }
+  return 0;
+}
+
 // Counts pairs of lines that run after each other.
 int Trace(PyObject*, PyFrameObject* frame, int what, PyObject*)
 {
@@ -33,10 +47,10 @@ int Trace(PyObject*, PyFrameObject* frame, int what, PyObject*)
     return 0;
   }
   PyCodeObject* code = PyFrame_GetCode(frame);
-  if (PyTuple_GET_ITEM(TracedFiles, 0) == code->co_filename ||
-    PyTuple_GET_ITEM(TracedFiles, 1) == code->co_filename)
+  if (const unsigned file = FileNumber(code->co_filename))
   {
-    const auto line = static_cast<unsigned>(PyFrame_GetLineNumber(frame));
+    // No file is as long as 512 lines, so each line has a number of its own.
+    const unsigned line = 512U * file + static_cast<unsigned>(PyFrame_GetLineNumber(frame));
     ++LineCounters[(last * 4099U + line) % Counters];
     last = line;
   }

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Any bytes as a mesh file, through the readers and writers of the command line. FuzzFiles.cxx calls it."""
 
+import inspect
 import itertools
 import os
 import sys
@@ -14,11 +15,21 @@ from vtkmodules.vtkCommonCore import vtkObject
 package = types.ModuleType("spectralwatermark")
 package.__path__ = [str(Path(__file__).resolve().parents[2] / "Wrapping" / "Python" / "spectralwatermark")]
 sys.modules[package.__name__] = package
-from spectralwatermark.io import MeshFileError, read_mesh, vtp, write_mesh  # noqa: E402
+from spectralwatermark.io import MeshFileError, read_mesh, write_mesh  # noqa: E402
 
 READ = (".ply", ".obj", ".stl", ".vtp", ".off")
 WRITTEN = (".ply", ".obj", ".stl", ".vtp")
-TRACED_FILES = (read_mesh.__code__.co_filename, vtp.check.__code__.co_filename)
+
+
+def _file_name(module) -> str:
+    """The string object that all code of a module holds as the name of its file."""
+    codes = (getattr(inspect.unwrap(item), "__code__", None) for item in vars(module).values())
+    return next(code.co_filename for code in codes if code and code.co_filename == module.__file__)
+
+
+# FuzzFiles.cxx compares these objects by identity: to compare their text at every line would be slow.
+TRACED_FILES = tuple(_file_name(module) for name, module in sorted(sys.modules.items())
+                     if (name + ".").startswith("spectralwatermark.io."))
 
 vtkObject.GlobalWarningDisplayOff()
 _folder = tempfile.TemporaryDirectory(prefix="fuzz", dir="/dev/shm" if os.path.isdir("/dev/shm") else None)

@@ -255,7 +255,7 @@ class BadInputTest(InFolder):
         Path("points.ply").write_text("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
                                       "property float y\nproperty float z\nend_header\n0 0 0\n")
         key = ("--key-file", "my.key")
-        for name, text in (("missing.ply", "no such file"), ("words.ply", "not begin as a PLY"),
+        for name, text in (("missing.ply", "file not found"), ("words.ply", "is it a PLY file?"),
                            ("model.xyz", "cannot read .xyz"), ("points.ply", "no polygons")):
             with self.subTest(name):
                 self.fail_with(name, text, of=("embed", name, "out.ply", *key))
@@ -287,7 +287,7 @@ class BadInputTest(InFolder):
         self.fail_with("would replace", of=("embed", "model.ply", "model.ply", "--force", *key))
         os.link("model.ply", "same.ply")
         self.fail_with("would replace", of=("attack", "model.ply", "same.ply", "--noise", 1, "--force"))
-        self.fail_with("no folder", of=("embed", "model.ply", "no/out.ply", *key))
+        self.fail_with("the folder no does not exist", of=("embed", "model.ply", "no/out.ply", *key))
         self.fail_with("cannot write .off", of=("embed", "model.ply", "out.off", *key))
         self.fail_with("only .vtp", of=("compare", "model.ply", "there.ply", "--output", "d.ply"))
         self.fail_with("spectrum to .csv", of=("harmonics", "model.ply", "out.ply"))
@@ -343,52 +343,61 @@ class BadInputTest(InFolder):
         self.succeed("embed", "model.ply", "out.ply", "--message", "1011", "--no-key", secret="a secret")
         self.assertIn("reads 1011", self.succeed("detect", "out.ply", "--bits", 4))
 
-    def test_what_filters_refuse_is_said_in_options(self):
+    def test_errors_of_filters_name_the_option(self):
         Path("flat.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n")
         attack = ("attack", "model.ply", "out.ply")
-        for text, *arguments in (
-                ("--scale cannot be 0.0; the nearest is", *attack, "--scale", 0),
-                ("--noise cannot be -1.0; the nearest is 0.0", *attack, "--noise", -1),
-                ("--noise-along-normals cannot be -1.0; the nearest is 0.0", *attack, "--noise-along-normals", -1),
-                ("--stretch has a 0, which flattens the mesh", *attack, "--stretch", 0, 1, 1),
-                ("--smooth cannot be -1; the nearest is 0", *attack, "--smooth", -1),
-                ("--low-pass cannot be 0; the nearest is 1", *attack, "--low-pass", 0),
-                ("--quantize cannot be 0; the nearest is 1", *attack, "--quantize", 0),
-                ("--simplify cannot be 120.0; the nearest is", *attack, "--simplify", 120),
-                ("--remesh cannot be 0.0; the nearest is", *attack, "--remesh", 0),
-                ("--isosurface cannot be 1; the nearest is", *attack, "--isosurface", 1),
-                ("--crop cannot be 100.0; the nearest is", *attack, "--crop", 100),
-                ("beyond what float holds: scale the mesh", *attack, "--translate", 1e300, 0, 0),
-                ("close the holes, or use --remesh", "attack", "flat.obj", "out.ply", "--isosurface", 10),
-                ("close it, or use --scheme paper", "detect", "flat.obj"),
-                ("of its diagonal, more than --distortion, ",
+        for texts, *arguments in (
+                (["model.ply: --scale: cannot be 0.0; the nearest is"], *attack, "--scale", 0),
+                (["model.ply: --noise: cannot be -1.0; the nearest is 0.0"], *attack, "--noise", -1),
+                (["model.ply: --noise-along-normals: cannot be -1.0; the nearest is 0.0"],
+                 *attack, "--noise-along-normals", -1),
+                (["model.ply: --stretch: ", "flattens the mesh; "], *attack, "--stretch", 0, 1, 1),
+                (["model.ply: --smooth: cannot be -1; the nearest is 0"], *attack, "--smooth", -1),
+                (["model.ply: --low-pass: cannot be 0; the nearest is 1"], *attack, "--low-pass", 0),
+                (["model.ply: --quantize: cannot be 0; the nearest is 1"], *attack, "--quantize", 0),
+                (["model.ply: --simplify: cannot be 120.0; the nearest is"], *attack, "--simplify", 120),
+                (["model.ply: --remesh: cannot be 0.0; the nearest is"], *attack, "--remesh", 0),
+                (["model.ply: --isosurface: cannot be 1; the nearest is"], *attack, "--isosurface", 1),
+                (["model.ply: --crop: cannot be 100.0; the nearest is"], *attack, "--crop", 100),
+                (["beyond what float holds; ", "scale the mesh"], *attack, "--translate", 1e300, 0, 0),
+                (["close the holes"], "attack", "flat.obj", "out.ply", "--isosurface", 10),
+                (["flat.obj: --scheme: ", "close it"], "detect", "flat.obj"),
+                (["model.ply: --distortion: ", "bits would move the surface by"],
                  "embed", "model.ply", "out.ply", "--message", 1, "--distortion", 1e-7)):
-            with self.subTest(text):
-                self.fail_with(text, of=arguments)
+            with self.subTest(texts[0]):
+                self.fail_with(*texts, of=arguments)
+                self.assert_no_property_is_named(run(*arguments).stderr)
 
-    def test_parts_that_could_be_moved_against_each_other(self):
-        """Of the paper's first component, which is for filters to choose, the program does not speak."""
+    def assert_no_property_is_named(self, text):
+        for name in ("MaximumDistortion", "AxisScaleFactors", "IsosurfaceResolution", "OutputPointsPrecision",
+                     "PaperSlots", "FirstComponent", "vtk"):
+            self.assertNotIn(name, text)
+
+    def test_components_that_could_be_moved_against_each_other(self):
+        """The remedy in the property FirstComponent has no option, so the program does not name it."""
         corners = [f"v {3 * k + x} {y} {z}\n" for k in range(30)
                    for x, y, z in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))]
         faces = [f"f {4 * k + a} {4 * k + b} {4 * k + c}\n" for k in range(30)
                  for a, b, c in ((1, 3, 2), (1, 2, 4), (2, 3, 4), (1, 4, 3))]
         Path("many.obj").write_text("".join(corners + faces))
-        self.fail_with("the mesh has 30 components", "against each other. Take the largest component alone",
-                       of=("embed", "many.obj", "out.ply", "--scheme", "paper", "--message", 1))
+        arguments = ("embed", "many.obj", "out.ply", "--scheme", "paper", "--message", 1)
+        self.fail_with("many.obj: the mesh has 30 components", "against each other; ",
+                       "take the largest component alone", of=arguments)
+        self.assert_no_property_is_named(run(*arguments).stderr)
 
     def test_values_that_no_option_takes(self):
         for text, *arguments in (
                 ("the text is empty", "embed", "model.ply", "out.ply", "--text", ""),
                 ("'x' is not a number above 0", "embed", "model.ply", "out.ply", "--distortion", "x"),
-                ("'0' is not a whole number from 1 on, or too large",
+                ("'0' is not a whole number of at least 1, or too large",
                  "harmonics", "model.ply", "out.vtp", "--number", "0"),
-                ("'1.5' is not a whole number from 1 on, or too large", "detect", "model.ply", "--bits", "1.5"),
-                ("is not a whole number from 1 on, or too large", "detect", "model.ply", "--bits", "9" * 5000),
+                ("'1.5' is not a whole number of at least 1, or too large", "detect", "model.ply", "--bits", "1.5"),
+                ("is not a whole number of at least 1, or too large", "detect", "model.ply", "--bits", "9" * 5000),
                 ("'nan' is not a finite number", "attack", "model.ply", "out.ply", "--noise", "nan"),
                 ("'inf' is not a finite number", "attack", "model.ply", "out.ply", "--stretch", "1", "inf", "1"),
                 ("'x' is not a finite number", "attack", "model.ply", "out.ply", "--crop", "x"),
                 ("'1.5' is not a whole number", "attack", "model.ply", "out.ply", "--seed", "1.5"),
-                ("'2' is not above 0 and up to 1", "detect", "model.ply", "--false-positive-rate", "2"),
+                ("'2' is not a number above 0 and at most 1", "detect", "model.ply", "--false-positive-rate", "2"),
                 ("name it .html", "report", "model.ply", "marked.ply", "page.pdf", "--key-file", "my.key"),
                 ("are given together", "detect", "model.ply", "--no-key", "--key-file", "my.key")):
             with self.subTest(text):
@@ -399,21 +408,21 @@ class BadInputTest(InFolder):
         self.fail_with("invalid choice", of=("destroy", "model.ply"))
         self.fail_with("IN and OUT", of=("embed", "model.ply", "--message", "1"))
         self.fail_with("no attack", of=("attack", "model.ply", "out.ply"))
-        self.fail_with("midpoint, loop and sqrt3",
+        self.fail_with("midpoint, loop or sqrt3",
                        of=("attack", "model.ply", "out.ply", "--subdivide", "catmull"))
         self.fail_with("cannot be 120", of=("attack", "model.ply", "out.ply", "--simplify", 120))
-        self.fail_with("not a whole number from 1 on", of=("harmonics", "model.ply", "out.csv", "--number", 0))
+        self.fail_with("not a whole number of at least 1", of=("harmonics", "model.ply", "out.csv", "--number", 0))
         self.fail_with("not a number above 0",
                        of=("embed", "model.ply", "out.ply", "--message", "1", "--distortion", "-1"))
         self.fail_with("two of the files", of=("embed", "model.ply", "./model.ply", "--output-dir", "out",
                                                "--message", "1"))
 
     def test_what_does_not_go_together(self):
-        self.fail_with("--read and a message are both given: read what there is, or look for one",
+        self.fail_with("--read and a message are both given: read the bits, or look for a message",
                        of=("detect", "model.ply", "--read", "--message", "1", "--key-file", "my.key"))
         self.fail_with("nothing to look for: give the secret (--key-file FILE), or the message that was embedded",
                        of=("report", "model.ply", "model.ply", "page.html"))
-        self.fail_with("my.key: cannot be made: File exists",
+        self.fail_with("my.key: the folder cannot be created: File exists",
                        of=("embed", "model.ply", "--output-dir", "my.key", "--message", "1"))
 
     def test_two_runs_of_the_same_mesh_without_volume(self):
@@ -430,28 +439,47 @@ class BadInputTest(InFolder):
 class FaultTest(InFolder):
     def run_with(self, spoilt, *arguments):
         """The program, with one of its functions replaced."""
-        script = ("import sys\nfrom unittest import mock\nfrom spectralwatermark.cli import commands, main\n"
+        script = ("import sys\nfrom unittest import mock\n"
+                  "from spectralwatermark.cli import main\n"
+                  "from spectralwatermark.cli.commands import embed\n"
+                  "from spectralwatermark.execution import FilterError\n"
                   f"with mock.patch({spoilt}):\n    sys.exit(main(sys.argv[1:]))\n")
         return subprocess.run([sys.executable, "-c", script, *arguments], stdin=subprocess.DEVNULL,
                               capture_output=True, text=True, check=False)
 
     def test_a_mark_that_is_not_read_back_is_not_written(self):
-        done = self.run_with("'spectralwatermark.cli.commands.vtkSpectralWatermarkEmbed', type('Fails', ("
-                             "commands.vtkSpectralWatermarkEmbed,), {'GetConverged': lambda self: 0})",
+        done = self.run_with("'spectralwatermark.cli.commands.embed.vtkSpectralWatermarkEmbed', type('Fails', ("
+                             "embed.vtkSpectralWatermarkEmbed,), {'GetConverged': lambda self: 0})",
                              "embed", "model.ply", "out.ply", "--key-file", "my.key")
         self.assertEqual((done.returncode, done.stdout), (ERROR, ""), done)
-        self.assertEqual(done.stderr, "spectral-watermark: model.ply: the mark could not be embedded so that it is "
-                                      "read back; nothing was written. Try fewer bits or more --distortion\n")
+        self.assertEqual(done.stderr, "spectral-watermark: model.ply: the embedded mark cannot be read back; nothing "
+                                      "was written. Try fewer bits or a larger --distortion\n")
         self.assertEqual({path.name for path in self.folder.iterdir()}, {"model.ply", "my.key", "other.key"})
 
     def test_what_nobody_thought_of_is_an_error_in_one_line(self):
         """In what is done before, in the process that works, and in what it does to one file."""
-        for function, file in (("requests.requests_of", ""), ("commands.run", ""),
-                               ("inspection.describe", "model.ply: ")):
+        for function, file in (("tasks.tasks_of", ""), ("commands.run", ""),
+                               ("mesh_info.describe", "model.ply: ")):
             done = self.run_with(f"'spectralwatermark.cli.{function}', side_effect=ValueError('a\\nb')",
                                  "info", "model.ply")
             self.assertEqual((done.returncode, done.stdout), (ERROR, ""), done)
             self.assertEqual(done.stderr, f"spectral-watermark: {file}ValueError: a b; please report this\n")
+
+    def test_an_error_is_put_together_from_its_parts(self):
+        """The option that stands for a property depends on the command; a property without one is left out."""
+        embed = ("embed", "model.ply", "out.ply", "--key-file", "my.key")
+        attack = ("attack", "model.ply", "out.ply", "--noise", "1")
+        for said, error, arguments in (
+                ("--distortion: too much; raise it", ("MaximumDistortion", "too much", "raise it"), embed),
+                ("--distortion: too much", ("MaximumDistortion", "too much", ""), embed),
+                ("too much; choose 31", ("FirstComponent", "too much", "choose 31"), embed),
+                ("text", (), embed),
+                ("--low-pass: too many", ("NumberOfHarmonics", "too many", ""), attack),
+                ("--number: too many", ("NumberOfHarmonics", "too many", ""), ("harmonics", "model.ply", "out.csv"))):
+            done = self.run_with("'spectralwatermark.cli.commands.filters.update', "
+                                 f"side_effect=FilterError(*{('text', *error)})", *arguments)
+            self.assertEqual((done.returncode, done.stdout), (ERROR, ""), done)
+            self.assertEqual(done.stderr, f"spectral-watermark: model.ply: {said}\n")
 
     def test_a_full_disk_leaves_no_file(self):
         def limit():

@@ -6,6 +6,7 @@ import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import spectralwatermark
+from spectralwatermark.attacks import ATTACKS, PROPERTIES_OF_EVERY_ATTACK
 
 XML = Path(__file__).resolve().parents[2] / "Wrapping" / "ParaView" / "SpectralWatermark" / "SpectralWatermark.xml"
 FILTERS = ("vtkManifoldHarmonics", "vtkManifoldHarmonicsReconstruction", "vtkManifoldHarmonicsSimilarity",
@@ -94,6 +95,57 @@ class ParaViewXmlTest(unittest.TestCase):
                     beyond = getattr(fresh, f"Get{key}AsString")()
                     self.assertTrue(beyond == "Unknown" or getattr(fresh, f"Get{key}")() < len(entries),
                                     f"{name}: {key} has more values")
+
+
+class AttackTableTest(unittest.TestCase):
+    """The table of attacks and ParaView's XML show the same attacks, each with the same properties."""
+
+    @classmethod
+    def setUpClass(cls):
+        proxy = next(proxy for proxy in ET.parse(XML).iter("SourceProxy") if proxy.get("class") == "vtkMeshAttack")
+        cls.properties = {each.get("name"): each for each in proxy if each.tag.endswith("VectorProperty")}
+        cls.kinds = {getattr(spectralwatermark.vtkMeshAttack, attack.kind) for attack in ATTACKS.values()}
+
+    def properties_in_table(self, kind):
+        return {name for attack in ATTACKS.values() if getattr(spectralwatermark.vtkMeshAttack, attack.kind) == kind
+                for name in attack.properties()}
+
+    def properties_in_xml(self, kind):
+        """ParaView shows a property while the attack that it belongs to is chosen."""
+        return {name for name, each in self.properties.items()
+                if any(hint.get("property") == "Attack" and hint.get("value") == str(kind)
+                       for hint in each.iter("PropertyWidgetDecorator"))}
+
+    def test_same_attacks(self):
+        shown = {int(entry.get("value")) for entry in self.properties["Attack"].iter("Entry")}
+        self.assertEqual(shown, self.kinds)
+        self.assertEqual(len(shown), 15)
+
+    def test_same_properties_for_each_attack(self):
+        for kind in self.kinds:
+            self.assertEqual(self.properties_in_table(kind), self.properties_in_xml(kind), kind)
+
+    def test_same_properties_in_all(self):
+        in_table = {name for attack in ATTACKS.values() for name in attack.properties()}
+        self.assertEqual(in_table | set(PROPERTIES_OF_EVERY_ATTACK), set(self.properties))
+
+    def test_types_are_the_classes(self):
+        fresh = spectralwatermark.vtkMeshAttack()
+        for attack in ATTACKS.values():
+            if not attack.property:
+                continue
+            value = getattr(fresh, f"Get{attack.property}")()
+            if isinstance(value, tuple):
+                self.assertEqual(len(value), len(attack.metavar), attack.name)
+                value = value[0]
+            self.assertIs(int if attack.choices else attack.type, type(value), attack.name)
+
+    def test_choices_are_paraviews(self):
+        for attack in ATTACKS.values():
+            entries = [int(entry.get("value")) for entry in self.properties[attack.property].iter("Entry")
+                       ] if attack.property else []
+            self.assertEqual([getattr(spectralwatermark.vtkMeshAttack, name) for name in attack.choices.values()],
+                             entries, attack.name)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the README shows runs as it stands there."""
+"""The samples of the README and of the package's page run exactly as they are printed."""
 
 import contextlib
 import io
@@ -10,6 +10,8 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+# The second page continues the sample of the first.
+PAGES = ("README.md", "Wrapping/Python/README.md")
 
 
 class ReadmeTest(unittest.TestCase):
@@ -22,7 +24,8 @@ class ReadmeTest(unittest.TestCase):
         os.chdir(folder.name)
 
     def test_python_blocks_run_one_after_the_other(self):
-        blocks = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
+        pages = "".join((ROOT / page).read_text() for page in PAGES)
+        blocks = re.findall(r"```python\n(.*?)```", pages, re.DOTALL)
         self.assertGreaterEqual(len(blocks), 2)
         names = {}
         printed = io.StringIO()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page about a protected model: whole, by itself, and true."""
+"""The report on a protected model is complete, needs no other file, and tells what the detector says."""
 
 import base64
 import os
@@ -20,7 +20,7 @@ CHROMIUM = shutil.which("chromium")
 
 
 class Page(HTMLParser):
-    """Where everything that a browser would load comes from, and the cells of the tables."""
+    """The sources of everything that a browser would load, and the cells of the tables."""
 
     def __init__(self, text):
         super().__init__()
@@ -131,6 +131,20 @@ except FilterError as error:
             self.assertFalse((self.folder / "other.html").exists())
             broken.write_text("#!/bin/sh\nexit 1\n")
             broken.chmod(0o755)
+
+    def test_a_missing_library_is_named_with_its_package(self):
+        for library in ("jinja2", "matplotlib"):
+            folder = self.folder / f"without_{library}"
+            folder.mkdir()
+            (folder / f"{library}.py").write_text(
+                f"raise ModuleNotFoundError(\"No module named '{library}'\", name='{library}')\n")
+            path = os.pathsep.join(filter(None, [str(folder), os.environ.get("PYTHONPATH")]))
+            done = self.run_program("report", "model.ply", "marked.ply", "other.html", "--key-file", "my.key",
+                                    "--bits", 16, check=False, PYTHONPATH=path)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), done)
+            self.assertEqual(done.stderr, f"spectral-watermark: reports need the Python module {library} (Debian: "
+                                          f"apt install python3-{library})\n")
+            self.assertFalse((self.folder / "other.html").exists())
 
     @unittest.skipUnless(CHROMIUM, "chromium is not installed")
     def test_a_browser_shows_every_picture(self):

@@ -135,37 +135,37 @@ class SecretsTest(unittest.TestCase):
                 seen += self.run_program(folder, *arguments, "--key-file", "my.key")
             seen += self.run_program(folder, "report", "model.ply", "marked.vtp", "page.html", "--key-file", "my.key")
             for more in ({"SPECTRAL_WATERMARK_KEY": SECRET}, {}):
-                several = self.run_program(folder, "detect", "marked.vtp", "model.ply", "--jobs", "2",
-                                           *(() if more else ("--key-file", "my.key")), **more)
-                self.assertIn(b"\0worker\0", several)
-                seen += several
+                seen += self.run_program(folder, "detect", "marked.vtp", "model.ply", "--jobs", "2",
+                                         *(() if more else ("--key-file", "my.key")), processes=3, **more)
             self.assertIn(b'"found": true', seen)
             self.assert_without_secret(seen, "what was printed, and the arguments of its processes")
             for path in folder.iterdir():
                 if path.name != "my.key":
                     self.assert_without_secret(path.read_bytes(), path.name)
 
-    def run_program(self, folder, *arguments, **environment):
-        """What it prints, and the arguments of its processes."""
+    def run_program(self, folder, *arguments, processes=1, **environment):
+        """What it prints, and the arguments of its processes, of which at least `processes` must have been seen."""
         with subprocess.Popen([sys.executable, PROGRAM, *arguments], cwd=folder, env=os.environ | environment,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT) as program:
-            return self.arguments_below(program) + program.communicate()[0]
+            seen = self.arguments_below(program)
+            self.assertGreaterEqual(len({process for process, _ in seen}), processes)
+            return b"".join(arguments for _, arguments in seen) + program.communicate()[0]
 
     @staticmethod
     def arguments_below(program):
-        """Of it and of all that it starts, to its end: what every user of the machine can see."""
+        """Each process of the program with its arguments, which every user of the machine can see."""
         seen = set()
         while program.poll() is None:
             pids = [program.pid]
             while pids:
                 process = Path(f"/proc/{pids.pop()}")
                 with contextlib.suppress(OSError):  # it ended meanwhile
-                    seen.add((process / "cmdline").read_bytes())
+                    seen.add((process, (process / "cmdline").read_bytes()))
                     for children in process.glob("task/*/children"):
                         pids += children.read_text().split()
             time.sleep(0.02)
-        return b"".join(seen)
+        return seen
 
 
 if __name__ == "__main__":

@@ -10,7 +10,6 @@ ROOT = Path(__file__).resolve().parents[2]
 # Sources without a test of their own, and why.
 ALLOWED = {
     "Support/Types": "type names and constants",
-    "Support/Errors": "exceptions, which every test of a refusal catches",
     "LinearAlgebra/SimdRow": "a type and a macro, tested through FrontalKernels and MultiVector",
 }
 

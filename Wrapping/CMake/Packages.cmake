@@ -30,6 +30,8 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-spectralwatermark)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
   "libspectralwatermark0.1 ${same_version}, python3, python3-vtk9, python3-numpy")
+# For spectralwatermark.report; everything else works without them.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-jinja2, python3-matplotlib")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION
   "Manifold harmonics and blind watermarking of triangle meshes: the Python package.")
 

@@ -31,6 +31,7 @@ def main(plugin, mesh_file, output):
         model = OpenDataFile(mesh_file)
         check_harmonics(model, folder)
         check_watermark(model, key.name, folder)
+        check_a_filter_runs_again_after_an_abort(model)
         check_nothing_shows_the_secret()
         check_a_trace_has_the_files_name_only(model, key.name)
         check_nothing_holds_the_secret(key.name, folder)
@@ -124,6 +125,20 @@ def check_watermark(model, key_file, folder):
 def result(watermark, name):
     figures = watermark.GetDataInformation(1).GetFieldDataInformation()
     return figures.GetArrayInformation(name).GetComponentRange(0)[0]
+
+
+def check_a_filter_runs_again_after_an_abort(model):
+    """ParaView's VTK leaves it to the caller to reset AbortExecute."""
+    attack = MeshAttack(Input=model, Attack="NoiseUniform")
+    filter = attack.SMProxy.GetClientSideObject()
+    tag = filter.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(1))
+    attack.UpdatePipeline()
+    assert attack.GetDataInformation().GetNumberOfPoints() == 0
+    filter.RemoveObserver(tag)
+    attack.Seed = 1
+    attack.UpdatePipeline()
+    assert attack.GetDataInformation().GetNumberOfPoints() == model.GetDataInformation().GetNumberOfPoints()
+    Delete(attack)
 
 
 def check_nothing_shows_the_secret():

@@ -1,6 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Prints the manual page, from what the parser says. (help2man would run the examples together.)"""
+"""Prints the manual page, from the parser's help.
+
+Debian 12's argparse-manpage (1.2.2) and help2man do not serve: they fill and justify the examples, which then cannot be
+read or copied, and leave the epilog out.
+"""
 
 from __future__ import annotations
 
@@ -26,9 +30,9 @@ def main() -> None:
                   *_paragraphs(command.description), *_options(command)]
     lines += [
         ".SH ENVIRONMENT", ".TP", "\\fBSPECTRAL_WATERMARK_KEY\\fR",
-        _escaped("the secret, where neither --key-file nor --ask-key says another"),
-        ".SH EXIT STATUS", ".TP", "0", "done, or found in every file",
-        ".TP", "1", "not found in one of them", ".TP", "2", "an error; what it concerns was not written",
+        _escaped("The secret, unless --key-file, --ask-key or --no-key is given."),
+        ".SH EXIT STATUS", ".TP", "0", "Done, or found in every file.",
+        ".TP", "1", "Not found in some file.", ".TP", "2", "An error; nothing was written for that file.",
     ]
     print("\n".join(lines))
 
@@ -49,7 +53,7 @@ def _options(parser: argparse.ArgumentParser) -> list[str]:
 
 
 def _paragraphs(text: str) -> list[str]:
-    """Lines that begin with spaces are examples: they stay as they are."""
+    """Lines that begin with spaces are examples, which keep their line breaks."""
     lines: list[str] = []
     verbatim = False
     for line in text.splitlines():

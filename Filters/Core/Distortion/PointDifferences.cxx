@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Distortion/PointDifferences.h"
 
-#include "Core/Mesh/EdgeTopology.h"
-
 namespace spectralwatermark
 {
 

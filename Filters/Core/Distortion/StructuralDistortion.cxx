@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Distortion/StructuralDistortion.h"
 
-#include "Core/Mesh/Measures.h"
 #include "Core/Support/Parallel.h"
 
 #include <Eigen/Eigenvalues>

@@ -14,15 +14,15 @@ namespace spectralwatermark
 namespace
 {
 
-// The random share of a starting block when there is an initial guess.
-constexpr double GuessDoubt = 1e-3;
+// Random share of a starting block that comes from an initial guess.
+constexpr double RandomShare = 1e-3;
 
-// Reorthogonalisation may wait for a second block as long as the operator is no more than this many times
-// larger than a block's couplings.
+// Ratio of the operator's norm to a block's smallest coupling up to which reorthogonalisation may
+// wait for a second block.
 constexpr double LargestGrowth = 1e3;
 
-// A new block holds nothing but rounding when, orthogonalised, its smallest direction keeps less than this
-// share of its length.
+// Share of its length below which a direction of a new block, once orthogonalised, is only
+// rounding.
 constexpr double Exhausted = 1e-10;
 
 } // namespace
@@ -37,14 +37,16 @@ BlockKrylovSpace::BlockKrylovSpace(const ShiftedFactorization& factorization, Mu
   BlockVector random = RandomBlockVector(factorization.Size(), seed, threads);
   if (start.size() > 0)
   {
-    // Enough of everything that no eigenvector is missed, however good the guess.
+    // The random part keeps some of every eigenvector, so that none is missed.
     start *= 1.0 / start.norm();
-    random = start + GuessDoubt / random.norm() * random;
+    random = start + RandomShare / random.norm() * random;
   }
   if (!this->Begin(std::move(random)))
   {
-    throw SolverFailure("the mesh has too few vertices with area for this solver: leave its choice "
-                        "to the filter, ask for fewer harmonics, or remove triangles without area");
+    throw SolverFailure("the mesh has too few vertices with area for this solver",
+      "let the solver be chosen automatically, ask for fewer harmonics, or remove triangles "
+      "without "
+      "area");
   }
 }
 
@@ -86,8 +88,8 @@ Eigen::MatrixXd BlockKrylovSpace::Orthonormalize(BlockVector& w, double length) 
 
 MultiVectorView BlockKrylovSpace::Last(std::size_t count) const
 {
-  const std::size_t there = std::min(count, this->Basis.size() - this->Locked);
-  return MultiVectorView(this->Basis.data() + this->Basis.size() - there, there);
+  const std::size_t available = std::min(count, this->Basis.size() - this->Locked);
+  return MultiVectorView(this->Basis.data() + this->Basis.size() - available, available);
 }
 
 bool BlockKrylovSpace::Begin(BlockVector start)
@@ -104,9 +106,9 @@ bool BlockKrylovSpace::Begin(BlockVector start)
   return true;
 }
 
-// In exact arithmetic the image is orthogonal to all but the last two blocks. Rounding brings the others
-// back; they are projected out of two new blocks at a time, so that the basis is streamed once for both,
-// unless the error has grown so much that it would show in the projected operator.
+// In exact arithmetic the image is orthogonal to all but the last two blocks. Rounding reintroduces
+// the others. They are projected out of two new blocks at a time, so that the basis is streamed
+// once for both, unless the error has grown enough to show in the projected operator.
 bool BlockKrylovSpace::Extend()
 {
   BlockVector w;
@@ -148,7 +150,8 @@ bool BlockKrylovSpace::Reorthogonalize()
   {
     this->ProjectOut(MultiVectorView(last, k), last + k);
     const Eigen::MatrixXd r = this->Orthonormalize(last[k], 1.0);
-    const std::size_t block = before + k - this->Locked; // never the first
+    // Never the first block, so there is a coupling before it.
+    const std::size_t block = before + k - this->Locked;
     if (r.size() == 0)
     {
       this->Basis.resize(before + k);
@@ -168,7 +171,7 @@ Eigen::MatrixXd BlockKrylovSpace::Projected() const
   Eigen::MatrixXd t = Eigen::MatrixXd::Zero(size, size);
   for (Index j = 0; j < size; j += BlockWidth)
   {
-    const auto block = static_cast<std::size_t>(j / BlockWidth);
+    const Index block = j / BlockWidth;
     t.block(j, j, BlockWidth, BlockWidth) = this->Diagonal[block];
     if (j + BlockWidth < size)
     {

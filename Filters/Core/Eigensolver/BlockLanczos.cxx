@@ -24,20 +24,20 @@ namespace spectralwatermark
 namespace
 {
 
-// What the residual of a Ritz pair may be, in parts of the tolerance asked for.
-constexpr double PartOfTolerance = 0.3;
+// Largest residual of a converged Ritz pair, as a share of the requested tolerance.
+constexpr double ShareOfTolerance = 0.3;
 
-// Eigenvalues closer than this, relative to their size, are taken for one that repeats.
+// Relative distance of two eigenvalues below which they are treated as one repeated eigenvalue.
 constexpr double NearlyEqual = 1e-7;
 
-// Of a solve, see ShiftedFactorization::SolveError(). Residuals of low frequencies are some hundred
-// times larger.
+// Largest ShiftedFactorization::SolveError() of an accurate factorisation. The residuals of low
+// frequencies are some hundred times larger than this error.
 constexpr double LargestSolveError = 1e-11;
 
-// What a band may end before, in mean distances of its eigenvalues.
+// Gap, in mean distances of a band's eigenvalues, that is wide enough for the band to end at it.
 constexpr double ComfortableGap = 0.3;
 
-// Under this tolerance rounding begins to show in the residuals.
+// Requested tolerance below which rounding begins to show in the residuals.
 constexpr double TightTolerance = 1e-10;
 
 // Eigenpairs of the projected operator, theta = 1 / (lambda - shift), ascending.
@@ -45,9 +45,11 @@ struct RitzPairs
 {
   Eigen::VectorXd Theta;
   Eigen::MatrixXd Coefficients;
-  Eigen::MatrixXd Beyond; // what each couples into the next block; empty when nothing is left
 
-  // What vector k holds of others, at most, as a share; 0 when the space is invariant.
+  // The coupling of each Ritz vector to the next block; empty when the space is invariant.
+  Eigen::MatrixXd Beyond;
+
+  // An upper bound on the share of other eigenvectors in vector k; 0 when the space is invariant.
   double Impurity(Index k) const
   {
     return this->Beyond.size() == 0 ? 0.0 : this->Beyond.col(k).norm() / std::abs(this->Theta[k]);
@@ -67,15 +69,15 @@ RitzPairs SolveProjected(const BlockKrylovSpace& space)
   return ritz;
 }
 
-// The pairs that were asked for, ascending by eigenvalue, as far as they are there.
+// The requested pairs, as far as the space contains them.
 struct Selection
 {
-  std::vector<Index> Pairs;
-  double NextValue = std::numeric_limits<double>::quiet_NaN();
-  bool Enough = false; ///< as many as were asked for
+  std::vector<Index> Pairs; // the numbers of the pairs, ascending by eigenvalue
+  double NextValue = std::numeric_limits<double>::quiet_NaN(); // see Band
+  bool Enough = false; // whether there are as many pairs as requested
 };
 
-// Eigenvalue and number of each Ritz pair, ascending.
+// The eigenvalue and the number of each Ritz pair, ascending by eigenvalue.
 std::vector<std::pair<double, Index>> SortedValues(const Eigen::VectorXd& theta, double shift)
 {
   std::vector<std::pair<double, Index>> values;
@@ -87,8 +89,9 @@ std::vector<std::pair<double, Index>> SortedValues(const Eigen::VectorXd& theta,
   return values;
 }
 
-// How many of the ascending values to take, at least `least`, so that the next one is far: the first
-// comfortable gap, else the widest. 0 when there are too few.
+// The number of ascending values to take, `least` or more, so that the next one is far away. The
+// cut is at the first comfortable gap, or at the widest gap if there is none. 0 when there are too
+// few values.
 std::size_t EndBeforeGap(const std::vector<std::pair<double, Index>>& values, std::size_t least,
   std::size_t window)
 {
@@ -122,7 +125,7 @@ Selection SelectNearest(std::vector<std::pair<double, Index>> values, double shi
     { return std::abs(a.first - shift) < std::abs(b.first - shift); });
   Selection selection;
   selection.Enough = static_cast<Index>(values.size()) >= count;
-  values.resize(std::min(values.size(), static_cast<std::size_t>(count)));
+  values.resize(std::min<std::size_t>(values.size(), count));
   std::sort(values.begin(), values.end());
   for (const auto& [value, pair] : values)
   {
@@ -142,8 +145,7 @@ Selection SelectWanted(const Eigen::VectorXd& theta, double shift, const BandReq
     [shift](const auto& value) { return value.first < shift; });
   const Index below = std::min<Index>(request.Below, firstAbove - values.begin());
   values.erase(values.begin(), firstAbove - below);
-  const std::size_t end = EndBeforeGap(values, static_cast<std::size_t>(below + request.Above),
-    static_cast<std::size_t>(request.Window));
+  const std::size_t end = EndBeforeGap(values, below + request.Above, request.Window);
   Selection selection;
   selection.Enough = below == request.Below && end > 0;
   if (end > 0)
@@ -158,9 +160,9 @@ Selection SelectWanted(const Eigen::VectorXd& theta, double shift, const BandReq
   return selection;
 }
 
-// The wanted pairs whose residuals are over the tolerance. What a vector holds of others, up to the
-// highest frequency wanted, weighs by their eigenvalue over its own in its relative residual.
-// `worst` becomes the largest excess, 1 at the tolerance.
+// The wanted pairs whose residuals exceed the tolerance. A vector's share of another eigenvector,
+// up to the highest frequency wanted, enters its relative residual multiplied by the ratio of the
+// other eigenvalue to its own. `worst` is set to the largest excess, which is 1 at the tolerance.
 std::vector<Index> OpenPairs(const RitzPairs& ritz, const std::vector<Index>& wanted, double shift,
   double tolerance, double& worst)
 {
@@ -175,7 +177,7 @@ std::vector<Index> OpenPairs(const RitzPairs& ritz, const std::vector<Index>& wa
   {
     const double value = std::max(0.0, shift + 1.0 / ritz.Theta[k]);
     const double excess =
-      ritz.Impurity(k) * (highest + 1.0) / (PartOfTolerance * tolerance * (value + 1.0));
+      ritz.Impurity(k) * (highest + 1.0) / (ShareOfTolerance * tolerance * (value + 1.0));
     worst = std::max(worst, excess);
     if (excess > 1.0)
     {
@@ -185,12 +187,12 @@ std::vector<Index> OpenPairs(const RitzPairs& ritz, const std::vector<Index>& wa
   return open;
 }
 
-// Residuals fall by about the same factor with every block once they begin to: foretells when the
-// last one will be small enough, since looking is expensive.
+// Predicts when a band will have converged, because each check costs an eigenproblem. Once
+// residuals begin to fall, they fall by about the same factor with every block.
 class Convergence
 {
 public:
-  /// Blocks from `size` on until the excess should be 1.
+  /// The number of blocks to add to a space of this size until the excess should be 1.
   Index StepsToGo(Index size, double excess)
   {
     double factor = UsualFactor;
@@ -201,22 +203,25 @@ public:
     }
     this->LastSize = size;
     this->LastExcess = excess;
-    // Nothing to go by is no excess; a pair at infinity is none that could be waited for.
+    // The excess is 0 without a pair to judge by, and infinite for a pair at infinity.
     const double bounded = std::clamp(excess, 1.0, LargestExcess);
     return std::max<Index>(1, static_cast<Index>(std::ceil(std::log(bounded) / factor)));
   }
 
 private:
-  static constexpr double UsualFactor = 1.5; // of the natural logarithm
+  // Usual decrease per block of the excess's natural logarithm.
+  static constexpr double UsualFactor = 1.5;
+
+  // Excess above which a prediction makes no difference.
   static constexpr double LargestExcess = 1e16;
 
   Index LastSize = 0;
   double LastExcess = 0.0;
 };
 
-// How much of eigenvector i approximate eigenvector j holds, e_ij, to first order: from
-// products_ij = e_ij + e_ji and energies_ij = lambda_i e_ij + lambda_j e_ji. Nearly equal
-// eigenvalues cannot be told apart by the latter: there the products are shared out equally.
+// The share e_ij of eigenvector i in the approximate eigenvector j, to first order. It follows from
+// products_ij = e_ij + e_ji and energies_ij = lambda_i e_ij + lambda_j e_ji. The energies do not
+// separate nearly equal eigenvalues, so there each of the two gets half of the product.
 Eigen::MatrixXd FirstOrderMixing(const Eigen::MatrixXd& energies, const Eigen::MatrixXd& products,
   const Eigen::VectorXd& values)
 {
@@ -256,8 +261,10 @@ public:
     const Index bands = (wanted + most - 1) / most;
     return (wanted + bands - 1) / bands;
   }
-  // Thetas near a shift are large, and their rounding is what the others are known to: for low
-  // frequencies to the last digit the shift must be on their side.
+
+  // Near the shift the values theta are large, and their rounding limits the accuracy of the
+  // others. For low frequencies that are accurate to the last digit, the shift must be on their
+  // side.
   bool FirstShiftInside() const override { return !this->Tight; }
 
   Index Factorize(double shift, const Progress& progress) override
@@ -290,12 +297,18 @@ private:
       { return std::make_shared<ShiftedFactorization>(stiffness, mass, known); });
   }
 
+  // Ritz vectors after one inverse iteration.
   Band Refined(const BlockKrylovSpace& space, const RitzPairs& ritz, const std::vector<Index>& kept,
     const Progress& progress) const;
+
+  // Removes the pairs whose residuals exceed the tolerance by more than rounding explains.
   void LeaveOutInaccurate(Band& band, double tolerance) const;
+
+  // See ResidualFloors().
   double ResidualFloor(const Band& band, Index column) const;
 
-  std::shared_ptr<ShiftedFactorization> Factorization; // shared with a call that was given up
+  // Shared with an abandoned call, which may outlive the solver.
+  std::shared_ptr<ShiftedFactorization> Factorization;
   bool Tight;
   int Threads;
   double Shift = 0.0;
@@ -309,10 +322,13 @@ Band BlockLanczos::FindNearest(BandRequest request, const Progress& progress)
   const bool isGuess = request.Start.size() > 0;
   BlockKrylovSpace space(*this->Factorization, std::move(request.Locked), std::move(request.Start),
     static_cast<std::uint64_t>(request.Attempt), this->Threads);
-  // What it takes as a rule, and never more than what a hopeless band may cost.
+  // The usual size of the space at convergence.
   const double expected = 2.1 * static_cast<double>(count) + 130.0;
+  // The size at which the search ends, so that the cost of a band that does not converge is
+  // bounded.
   const Index limit = std::min(this->Factorization->Size() - locked - BlockWidth, 5 * count + 200);
-  // Converged pairs on the other side of a shift take room as well.
+  // The size at the first check. Converged pairs on the other side of the shift, which the first
+  // band does not have, take up space as well.
   const double usual =
     (isFirst ? 1.5 : 2.1) * static_cast<double>(count) + (isGuess ? 60.0 : 128.0);
   Index nextCheck = static_cast<Index>(usual);
@@ -351,10 +367,10 @@ Band BlockLanczos::FindNearest(BandRequest request, const Progress& progress)
   return band;
 }
 
-// One inverse iteration, (S - sigma M)^-1 M h / theta. It takes high frequencies away, but blows up
-// what a vector holds of those nearer to the shift; and far from the shift neighbours are hard to
-// tell apart by theta. What vectors hold of each other is therefore subtracted, to first order.
-// Combining the vectors anew instead would leave rounding of all frequencies in them.
+// One inverse iteration, (S - sigma M)^-1 M h / theta. It removes high frequencies, but amplifies a
+// vector's share of eigenvectors nearer to the shift. Far from the shift, theta also hardly
+// separates neighbours. The vectors' shares of each other are therefore subtracted, to first order.
+// Recombining the vectors instead would leave rounding of all frequencies in them.
 Band BlockLanczos::Refined(const BlockKrylovSpace& space, const RitzPairs& ritz,
   const std::vector<Index>& kept, const Progress& progress) const
 {
@@ -366,7 +382,7 @@ Band BlockLanczos::Refined(const BlockKrylovSpace& space, const RitzPairs& ritz,
   Eigen::MatrixXd coefficients(space.Size(), count);
   for (Index i = 0; i < count; ++i)
   {
-    const Index k = kept[static_cast<std::size_t>(i)];
+    const Index k = kept[i];
     coefficients.col(i) = ritz.Coefficients.col(k) / ritz.Theta[k];
   }
   MultiVector vectors = space.Combine(coefficients);
@@ -383,7 +399,7 @@ Band BlockLanczos::Refined(const BlockKrylovSpace& space, const RitzPairs& ritz,
   const Eigen::MatrixXd pure = Eigen::MatrixXd::Identity(count, count) -
     FirstOrderMixing(energies.topLeftCorner(count, count), products.topLeftCorner(count, count),
       values);
-  // Orthonormal to the last digit at the same time: pure R^-1 with R^T R its Gram matrix.
+  // pure R^-1, with R^T R the Gram matrix of `pure`, is orthonormal to the last digit.
   const Eigen::MatrixXd mixture =
     CholeskyOfGram(pure.transpose() * products.topLeftCorner(count, count) * pure)
       .matrixU()
@@ -392,7 +408,6 @@ Band BlockLanczos::Refined(const BlockKrylovSpace& space, const RitzPairs& ritz,
     LinearCombination(vectors, mixture, this->Threads), true };
 }
 
-// Leaves out pairs whose residuals are over the tolerance, and more than rounding makes them.
 void BlockLanczos::LeaveOutInaccurate(Band& band, double tolerance) const
 {
   Eigen::VectorXd values =
@@ -424,10 +439,8 @@ void BlockLanczos::LeaveOutInaccurate(Band& band, double tolerance) const
 
 double BlockLanczos::ResidualFloor(const Band& band, Index column) const
 {
-  const Eigen::VectorXd vector =
-    band.Vectors[static_cast<std::size_t>(column / BlockWidth)].col(column % BlockWidth);
-  const Eigen::VectorXd value =
-    Eigen::VectorXd::Constant(1, band.Values[static_cast<std::size_t>(column)]);
+  const Eigen::VectorXd vector = band.Vectors[column / BlockWidth].col(column % BlockWidth);
+  const Eigen::VectorXd value = Eigen::VectorXd::Constant(1, band.Values[column]);
   return ResidualFloors(this->Stiffness(), this->Mass(), 1.0, value, vector)[0];
 }
 

@@ -8,7 +8,7 @@
 namespace spectralwatermark
 {
 
-// Solves M h = mu (S + M) h, mu = 1 / (lambda + 1), instead of S h = lambda M h: S + M is
+// Solves M h = mu (S + M) h, with mu = 1 / (lambda + 1), instead of S h = lambda M h: S + M is
 // positive definite even where M is only semi-definite (vertices without mass have mu = 0).
 EigenPairs DenseSolver::Solve(const EigenProblem& problem, const EigensolverOptions& options,
   const Progress& progress) const

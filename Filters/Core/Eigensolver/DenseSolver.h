@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+/// The dense eigensolver.
 #ifndef SpectralWatermark_Core_Eigensolver_DenseSolver_h
 #define SpectralWatermark_Core_Eigensolver_DenseSolver_h
 
@@ -8,9 +9,9 @@
 namespace spectralwatermark
 {
 
-/// All of the spectrum at once, by Eigen's dense solver: for small problems, or when most of the
-/// spectrum is wanted. Takes O(n^3) time and O(n^2) memory, and can only be aborted before it
-/// starts and when it is done.
+/// Computes the whole spectrum at once with Eigen's dense solver: for small problems, or when most
+/// of the spectrum is wanted. It takes O(n^3) time and O(n^2) memory, and can only be aborted
+/// before it starts and when it is done.
 class DenseSolver : public Eigensolver
 {
 public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The one interface behind which eigensolvers take each other's place.
+/// The interface that all eigensolvers share, so that one can replace another.
 #ifndef SpectralWatermark_Core_Eigensolver_Eigensolver_h
 #define SpectralWatermark_Core_Eigensolver_Eigensolver_h
 
@@ -12,59 +12,66 @@
 namespace spectralwatermark
 {
 
-/// S h = lambda M h with S positive semi-definite and M positive semi-definite of total mass 1
-/// (the sum of its entries): the eigenvalues are then of the order of 4 pi k (Weyl's law),
-/// whatever the model's size, and a solver's shifts and tolerances have no unit.
+/// The eigenproblem S h = lambda M h. S and M are positive semi-definite, and M has a total mass
+/// (sum of its entries) of 1. The eigenvalues are then of the order of 4 pi k (Weyl's law) for
+/// models of any size, and a solver's shifts and tolerances have no unit.
 struct EigenProblem
 {
   const SparseMatrix& Stiffness;
   const SparseMatrix& Mass;
-  const Eigen::MatrixXd& Kernel; ///< M-orthonormal null space of S; its pairs come for free
+  const Eigen::MatrixXd& Kernel; ///< M-orthonormal null space of S; its pairs are not computed
   Index Rank = 0;                ///< number of finite eigenvalues
 };
 
-/// What a solver knows of a nearby problem, of a mesh with the same triangles.
+/// The solution of a similar problem, for a mesh with the same triangles and similar points. A
+/// solver starts from it.
 struct WarmStart
 {
-  Eigen::VectorXd Values;         ///< ascending, of a surface of area 1
-  const Eigen::MatrixXd* Vectors; ///< a column each, of any length
-  Eigen::VectorXi Order;          ///< see EigenPairs; may be empty
+  Eigen::VectorXd Values;         ///< eigenvalues, ascending, scaled to a surface of area 1
+  const Eigen::MatrixXd* Vectors; ///< eigenvectors, a column each, in any scale
+  Eigen::VectorXi Order;          ///< order of elimination, see EigenPairs; may be empty
 };
 
+/// The settings of a solver.
 struct EigensolverOptions
 {
-  Index Count = 100;       ///< eigenpairs wanted, from the smallest; the kernel counts
+  Index Count = 100;       ///< number of smallest eigenpairs to compute, the kernel included
   Index BandSize = 0;      ///< eigenpairs per shift-invert band; 0: the solver's choice
-  double Tolerance = 1e-8; ///< relative residual (see RelativeResiduals)
-  int Threads = 1;         ///< at most; the result does not depend on it
-  const WarmStart* InitialGuess = nullptr; ///< makes it faster, if there
+  double Tolerance = 1e-8; ///< largest relative residual (see RelativeResiduals)
+  int Threads = 1;         ///< largest number of threads; the result does not depend on it
+  const WarmStart* InitialGuess = nullptr; ///< makes the solver faster; may be null
 };
 
+/// The result of a solver.
 struct EigenPairs
 {
-  Eigen::VectorXd Values;    ///< ascending; exactly 0 for the kernel
-  Eigen::MatrixXd Vectors;   ///< a column each, M-orthonormal
-  Eigen::VectorXd Residuals; ///< relative (see RelativeResiduals)
-  Eigen::VectorXi Order;     ///< in which the rows were eliminated, if the solver chose one
-  Index Bands = 0;           ///< shift-invert bands that were used
-  bool Complete = false;     ///< all that were wanted, and no eigenvalue below them is missing
+  Eigen::VectorXd Values;    ///< eigenvalues, ascending; exactly 0 for the kernel
+  Eigen::MatrixXd Vectors;   ///< eigenvectors, a column each, M-orthonormal
+  Eigen::VectorXd Residuals; ///< relative residuals (see RelativeResiduals)
+  Eigen::VectorXi Order;     ///< order in which the rows were eliminated; empty if none was chosen
+  Index Bands = 0;           ///< number of shift-invert bands
+  bool Complete = false;     ///< whether all Count pairs were found, with none missing among them
 };
 
+/// Computes the smallest eigenpairs of an EigenProblem.
 class Eigensolver
 {
 public:
   virtual ~Eigensolver() = default;
 
-  /// Throws SolverFailure when a factorisation breaks down, Aborted when `progress` says so.
-  /// Pairs that do not converge or cannot be completed are told by EigenPairs, not thrown.
+  /// Computes the pairs. Throws SolverFailure when a factorisation breaks down and Aborted when
+  /// `progress` asks for a stop. Pairs that do not converge or are missing are reported in
+  /// EigenPairs, not thrown.
   virtual EigenPairs Solve(const EigenProblem& problem, const EigensolverOptions& options,
     const Progress& progress) const = 0;
 };
 
-/// R^T R of vectors' Gram matrix; throws SolverFailure when they depend on each other.
+/// The Cholesky factorisation R^T R of a Gram matrix. Throws SolverFailure when the vectors are
+/// linearly dependent.
 Eigen::LLT<Eigen::MatrixXd> CholeskyOfGram(const Eigen::MatrixXd& gram);
 
-/// Makes vectors M-orthonormal that nearly are: V <- V R^-1 with V^T M V = R^T R. Keeps order.
+/// Makes nearly M-orthonormal vectors M-orthonormal: V <- V R^-1 with V^T M V = R^T R. Keeps their
+/// order.
 void Orthonormalize(const SparseMatrix& mass, Eigen::MatrixXd& vectors);
 
 } // namespace spectralwatermark

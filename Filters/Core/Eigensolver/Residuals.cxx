@@ -43,7 +43,7 @@ Eigen::VectorXd MultiVectorResiduals(const SparseMatrix& stiffness, const Sparse
   ForEachTask(threads, static_cast<Index>(vectors.size()),
     [&](Index k)
     {
-      const BlockVector& block = vectors[static_cast<std::size_t>(k)];
+      const BlockVector& block = vectors[k];
       const auto value = values.segment<BlockWidth>(BlockWidth * k).array();
       BlockVector massTimes;
       BlockVector residual;

@@ -24,13 +24,14 @@ namespace
 
 using Factorization = Eigen::SimplicialLDLT<SparseMatrix>;
 
+// Number of restarts after which a Lanczos run ends.
 constexpr int MaximumRestarts = 300;
 
-// The Lanczos stopping criterion is on the shift-inverted problem, where high frequencies are
-// damped; in the original one the residual is larger by about this factor.
+// Ratio of the residual of the original problem to that of the shift-inverted one, which damps high
+// frequencies. Spectra's stopping criterion applies to the latter.
 constexpr double ResidualAmplification = 100.0;
 
-// Progress of one Lanczos run by the solves it is expected to take.
+// Reports the progress of one Lanczos run, measured by the number of solves that it usually takes.
 class SolveCounter
 {
 public:
@@ -44,7 +45,7 @@ public:
   {
     ++this->Done;
     const double ratio = static_cast<double>(this->Done) / this->Expected;
-    // Linear to 80 %, then ever slower: the number of restarts cannot be known.
+    // Linear up to 80 %, then ever slower, because the number of restarts is unknown.
     this->Listener.Report(ratio < 0.8 ? ratio : 1.0 - 0.2 * std::exp(-(ratio - 0.8) / 0.2));
   }
 
@@ -71,7 +72,9 @@ public:
 
   Index rows() const { return this->Solver.rows(); }
   Index cols() const { return this->Solver.cols(); }
-  void set_shift(double) {} // factorised by the caller, who reads the inertia too
+
+  // Does nothing: the caller factorises, because it also needs the inertia.
+  void set_shift(double) {}
 
   void perform_op(const double* in, double* out) const
   {
@@ -91,6 +94,7 @@ private:
   SolveCounter& Counter;
 };
 
+// y = M x.
 class MassOperator
 {
 public:
@@ -147,7 +151,7 @@ public:
 private:
   Eigen::MatrixXd AllColumns(MultiVector blocks) const
   {
-    std::vector<Index> columns(static_cast<std::size_t>(BlockWidth) * blocks.size());
+    std::vector<Index> columns(BlockWidth * blocks.size());
     std::iota(columns.begin(), columns.end(), Index{ 0 });
     return TakeColumns(std::move(blocks), columns, this->SameOrder, 1);
   }
@@ -161,7 +165,7 @@ private:
 Band SpectraShiftInvert::FindNearest(BandRequest request, const Progress& progress)
 {
   const Index n = this->Problem.Stiffness.rows();
-  // Spectra counts from the shift to both sides alike.
+  // Spectra searches both sides of the shift alike.
   const bool oneSide = request.AnySide || request.Below == 0;
   const Index above = request.Above + request.Window;
   const Index count =
@@ -182,8 +186,8 @@ Band SpectraShiftInvert::FindNearest(BandRequest request, const Progress& progre
   }
   catch (const std::runtime_error& error)
   {
-    throw SolverFailure(std::string("the eigensolver gave up (") + error.what() +
-      "): remove the mesh's thinnest triangles, or ask for fewer harmonics");
+    throw SolverFailure(std::string("the eigensolver gave up (") + error.what() + ")",
+      "remove the mesh's thinnest triangles, or ask for fewer harmonics");
   }
 
   Band band;

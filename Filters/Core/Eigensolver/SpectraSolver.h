@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+/// The eigensolver on the library Spectra.
 #ifndef SpectralWatermark_Core_Eigensolver_SpectraSolver_h
 #define SpectralWatermark_Core_Eigensolver_SpectraSolver_h
 
@@ -9,9 +10,9 @@ namespace spectralwatermark
 {
 
 /// Shift-invert Lanczos with restarts, one vector at a time (Spectra), band by band, on Eigen's
-/// sparse LDL^T factorisation. Slower than BlockLanczosSolver: the reference to compare with.
+/// sparse LDL^T factorisation. It is slower than BlockLanczosSolver and serves as a reference.
 ///
-/// Deterministic: fixed starting vectors, one thread.
+/// The result is deterministic: starting vectors are fixed, and there is one thread.
 class SpectraSolver : public Eigensolver
 {
 public:

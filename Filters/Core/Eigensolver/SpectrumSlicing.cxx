@@ -16,26 +16,27 @@ namespace spectralwatermark
 namespace
 {
 
-// Found beyond what a band must hold, so that a gap to cut at is among them: as many as the
-// largest multiplicity that symmetric models commonly show, and some.
+// Number of eigenpairs that are requested beyond those of a band, so that there is a gap to cut at
+// among them. It is a little more than the largest multiplicity that symmetric models usually have.
 constexpr Index CutWindow = 12;
 
-// Two neighbouring eigenvalues are far enough apart to cut between them, relative to their size:
-// well over the rounding of a factorisation at the cut.
+// Smallest relative gap between two eigenvalues at which a band may be cut: well above the rounding
+// of a factorisation there.
 constexpr double MinimalGap = 1e-7;
 
-constexpr int MaximumRepairs = 12;
+// Number of searches for a band after which it is given up.
+constexpr int MaximumSearches = 12;
 
-// An eigenvalue under 0 by this part of the largest is no rounding.
+// Share of the largest eigenvalue by which another may lie below 0 because of rounding.
 constexpr double FarBelow = 1e-3;
 
-// How far the shift moves before another search, in local distances of eigenvalues.
+// Distance that the shift moves before another search, in local spacings of eigenvalues.
 constexpr double ShiftStep = 0.37;
 
-// By Weyl's law, on a closed surface of area 1.
+// Mean spacing of eigenvalues on a closed surface of area 1, by Weyl's law.
 constexpr double WeylSpacing = 4.0 * Pi;
 
-// The bands of one problem, from the smallest eigenvalue up.
+// The bands of one problem, computed one after the other from the smallest eigenvalue up.
 class BandSequence
 {
 public:
@@ -49,10 +50,8 @@ public:
     , InitialGuess(options.InitialGuess)
     , Threads(options.Threads)
   {
-    const auto kernel = static_cast<std::size_t>(problem.Kernel.cols());
-    this->Append(
-      { std::vector<double>(kernel, 0.0), ToMultiVector(problem.Kernel, solver.Order()), true },
-      Progress());
+    const std::vector<double> zeros(problem.Kernel.cols(), 0.0);
+    this->Append({ zeros, ToMultiVector(problem.Kernel, solver.Order()), true }, Progress());
   }
 
   bool Finished() const { return this->Found() >= this->Wanted; }
@@ -62,6 +61,8 @@ public:
     return static_cast<double>(std::min(this->Found(), this->Wanted)) /
       static_cast<double>(this->Wanted);
   }
+
+  // The number of pairs that the next band must have.
   Index Target() const { return std::min(this->Wanted - this->Found(), this->BandSize); }
   double FractionAfterBand() const
   {
@@ -69,13 +70,11 @@ public:
       static_cast<double>(this->Found() + this->Target()) / static_cast<double>(this->Wanted));
   }
 
-  /// Appends the next band. False when its count could not be made right.
+  // Appends the next band. Returns false when pairs of it are still missing after all searches.
   bool SolveBand(const Progress& progress);
 
-  /// What was found; the sequence is empty then.
+  // Moves all pairs out of the sequence.
   EigenPairs TakeResult();
-
-  Index Bands = 0;
 
 private:
   bool IsFirst() const { return this->Found() <= this->Problem.Kernel.cols(); }
@@ -86,7 +85,7 @@ private:
   MultiVector Locked(const Band& band) const;
   void AddInInterval(Band found, Band& band) const;
   bool Cut(Band& band, Index target, const Progress& progress);
-  bool IsNonsense(const Band& band) const;
+  bool IsImpossible(const Band& band) const;
   void Append(Band band, const Progress& progress);
   void ProjectOutKnown(MultiVector& vectors, const Progress& progress) const;
 
@@ -97,16 +96,18 @@ private:
   double Tolerance;
   const WarmStart* InitialGuess;
   int Threads;
-  std::vector<double> Values; // what is known to be complete, up to LowerCut
+  Index Bands = 0;
+  std::vector<double> Values; // all eigenvalues up to LowerCut
   MultiVector Vectors;        // each band begins with a block of its own
-  std::vector<Index> Column;  // of each value, in Vectors
-  std::size_t LastBand = 0;   // its first block
+  std::vector<Index> Column;  // the column of each value in Vectors
+  std::size_t LastBand = 0;   // the first block of the last band
   double LowerCut = -std::numeric_limits<double>::infinity();
   double Shift = 0.0;
-  Index BelowShift = 0; // eigenvalues under Shift, by inertia
+  Index BelowShift = 0; // number of eigenvalues below Shift, by inertia
 };
 
-// V <- V R^-1 with V^T M V = R^T R, for vectors that nearly are orthonormal; columns of zeros stay.
+// Orthonormalises nearly orthonormal vectors: V <- V R^-1 with V^T M V = R^T R. Columns of zeros
+// stay unchanged.
 void OrthonormalizeBand(const SparseMatrix& mass, MultiVector& vectors, int threads)
 {
   Eigen::MatrixXd gram = GramMatrix(mass, vectors, threads);
@@ -117,7 +118,7 @@ void OrthonormalizeBand(const SparseMatrix& mass, MultiVector& vectors, int thre
   vectors = LinearCombination(vectors, inverse, threads);
 }
 
-// Mean distance of neighbouring eigenvalues, as far as what is known tells.
+// The mean spacing of the known eigenvalues near the last cut; Weyl's where none is known.
 double BandSequence::LocalSpacing() const
 {
   if (this->IsFirst())
@@ -125,13 +126,13 @@ double BandSequence::LocalSpacing() const
     return WeylSpacing;
   }
   const std::size_t last = this->Values.size() - 1;
-  const std::size_t middle = (static_cast<std::size_t>(this->Problem.Kernel.cols()) + last) / 2;
+  const std::size_t middle = (this->Problem.Kernel.cols() + last) / 2;
   return last > middle
     ? (this->Values[last] - this->Values[middle]) / static_cast<double>(last - middle)
     : this->Values[last] / static_cast<double>(last + 1);
 }
 
-// How far above the last cut half a band reaches, as far as one can tell.
+// An estimate of how far above the last cut the middle of the next band lies.
 double BandSequence::FirstReach() const
 {
   const Index middle = this->Found() + this->Target() / 2;
@@ -144,7 +145,8 @@ double BandSequence::FirstReach() const
   return 0.5 * static_cast<double>(this->Target()) * this->LocalSpacing();
 }
 
-// A guess at the band's span: random combinations of the nearby problem's vectors there.
+// An initial guess at the band's span: random combinations of the vectors with the same numbers in
+// the solution of the similar problem.
 BlockVector BandSequence::Start() const
 {
   if (this->InitialGuess == nullptr)
@@ -167,10 +169,11 @@ BlockVector BandSequence::Start() const
     this->Solver.Order())[0];
 }
 
-// Half a band above the last cut. A shift that is too far costs a Krylov space full of what is
-// known or not wanted yet; one that is too near makes it grow on one side only. The very first may
-// have to lie under the spectrum, by a twelfth of what Weyl's law gives for the first eigenvalue
-// of a sphere: S + M is then well conditioned and the factorisation a Cholesky.
+// Places the shift in the middle of the band, half a band above the last cut. A shift that is too
+// far up costs a Krylov space full of pairs that are not wanted yet, or known; one that is too near
+// makes the space grow on one side only. The very first shift may have to lie below the spectrum,
+// by a twelfth of what Weyl's law gives for the first eigenvalue of a sphere: S + M is then well
+// conditioned, and its factorisation is a Cholesky.
 void BandSequence::ChooseShift(const Progress& progress)
 {
   if (this->IsFirst() && !this->Solver.FirstShiftInside())
@@ -197,8 +200,9 @@ void BandSequence::ChooseShift(const Progress& progress)
   }
 }
 
-// What a search must keep out of. Known bands are far from the shift as a rule, and what is found
-// of them again is left out; but a second search must not spend itself on the last one.
+// The vectors that a search excludes. Known bands are usually far from the shift, and pairs of
+// theirs that are found again are dropped. A second search, however, must not spend its effort on
+// the last band.
 MultiVector BandSequence::Locked(const Band& band) const
 {
   MultiVector locked;
@@ -211,7 +215,7 @@ MultiVector BandSequence::Locked(const Band& band) const
   return locked;
 }
 
-// Keeps what lies above the lower cut: what is below is known already.
+// Merges the pairs that lie above the lower cut into the band; those below it are already known.
 void BandSequence::AddInInterval(Band found, Band& band) const
 {
   band.Orthonormal = band.Values.empty() && found.Orthonormal;
@@ -245,8 +249,8 @@ void BandSequence::AddInInterval(Band found, Band& band) const
   band.NextValue = std::isnan(found.NextValue) ? band.NextValue : found.NextValue;
 }
 
-// Cuts the band in its widest gap at or after `target` pairs and counts. True when the band
-// then holds every eigenvalue between the two cuts.
+// Cuts the band in its widest gap at or after `target` pairs and counts the eigenvalues below the
+// cut. Returns true when the band then holds every eigenvalue between its two cuts.
 bool BandSequence::Cut(Band& band, Index target, const Progress& progress)
 {
   const Index size = static_cast<Index>(band.Values.size());
@@ -256,42 +260,40 @@ bool BandSequence::Cut(Band& band, Index target, const Progress& progress)
   }
   if (this->Found() + size >= this->Problem.Rank)
   {
-    // Everything there is: nothing above to cut from.
+    // The band contains the rest of the spectrum, so there is nothing above to cut off.
     return this->Found() + size == this->Problem.Rank;
   }
-  // A next value that a repair has overtaken gives no gap.
+  // A next value that a later search has found makes no gap.
   std::vector<double> values = band.Values;
   values.push_back(band.NextValue);
   Index cut = -1;
   double widest = 0.0;
   for (Index k = std::max<Index>(target, 1); k <= size; ++k)
   {
-    const double gap =
-      values[static_cast<std::size_t>(k)] - values[static_cast<std::size_t>(k - 1)];
+    const double gap = values[k] - values[k - 1];
     if (gap > widest)
     {
       widest = gap;
       cut = k;
     }
   }
-  if (cut < 0 || widest < MinimalGap * values[static_cast<std::size_t>(cut)])
+  if (cut < 0 || widest < MinimalGap * values[cut])
   {
     return false;
   }
-  const double upperCut =
-    0.5 * (values[static_cast<std::size_t>(cut)] + values[static_cast<std::size_t>(cut - 1)]);
+  const double upperCut = 0.5 * (values[cut] + values[cut - 1]);
   const Index below = this->Solver.Factorize(upperCut, progress);
   if (below != this->Found() + cut)
   {
     return false;
   }
-  band.Values.resize(static_cast<std::size_t>(cut));
+  band.Values.resize(cut);
   this->LowerCut = upperCut;
   return true;
 }
 
-// Eigenvectors of different bands are orthogonal but for what their residuals leave: one pass of
-// block Gram-Schmidt makes them so to the last digit.
+// Makes the vectors of a new band orthogonal to all known ones to the last digit. They are
+// orthogonal up to their residuals, so one pass of block Gram-Schmidt suffices.
 void BandSequence::ProjectOutKnown(MultiVector& vectors, const Progress& progress) const
 {
   MultiVector product;
@@ -305,7 +307,7 @@ void BandSequence::ProjectOutKnown(MultiVector& vectors, const Progress& progres
   }
 }
 
-// The first of the band's vectors, as many as it has values.
+// Appends the band's values and the same number of its vectors, the first ones.
 void BandSequence::Append(Band band, const Progress& progress)
 {
   const std::size_t blocks = (band.Values.size() + BlockWidth - 1) / BlockWidth;
@@ -330,9 +332,10 @@ void BandSequence::Append(Band band, const Progress& progress)
   std::move(band.Vectors.begin(), band.Vectors.end(), std::back_inserter(this->Vectors));
 }
 
-// More values than there are, or one far below 0: where the mesh's numbers are all rounding, a search
-// finds anything. What is found stays, so no further search mends it.
-bool BandSequence::IsNonsense(const Band& band) const
+// Whether the band cannot be part of the spectrum: it has more values than exist, or one far below
+// 0. This happens where the mesh's numbers are all rounding. Found pairs are kept, so another
+// search would not help.
+bool BandSequence::IsImpossible(const Band& band) const
 {
   if (band.Values.empty())
   {
@@ -353,18 +356,18 @@ bool BandSequence::SolveBand(const Progress& progress)
   const Index below = std::max<Index>(0, this->BelowShift - this->Found());
   const Index above = std::max<Index>(1, target - below);
   Band band;
-  for (int repair = 0; repair < MaximumRepairs; ++repair)
+  for (int repair = 0; repair < MaximumSearches; ++repair)
   {
-    // Each search takes a part of what remains.
+    // Each search takes a part of the remaining progress range.
     const double begin = repair == 0 ? 0.05 : 0.95 - 0.1 / repair;
     const double end = 0.95 - 0.1 / (repair + 1);
     if (repair > 0)
     {
-      // What is missing may be so because the shift nearly hit an eigenvalue.
+      // Pairs may be missing because the shift nearly hit an eigenvalue.
       this->Shift += ShiftStep * this->LocalSpacing();
       this->Solver.Factorize(this->Shift, progress.Part(begin, begin));
     }
-    // Few are missing as a rule; a large cluster (many equal components) needs longer strides.
+    // Usually few pairs are missing; a large cluster (many equal components) needs larger requests.
     const Index missing = CutWindow << std::min(std::max(0, repair - 1), 4);
     BandRequest request;
     request.Below = repair == 0 ? below : 0;
@@ -382,7 +385,7 @@ bool BandSequence::SolveBand(const Progress& progress)
       this->Append(std::move(band), progress.Part(end, 1.0));
       return true;
     }
-    if (this->IsNonsense(band))
+    if (this->IsImpossible(band))
     {
       return false;
     }
@@ -408,7 +411,7 @@ EigenPairs BandSequence::TakeResult()
   pairs.Residuals.resize(count);
   for (Index k = 0; k < count; ++k)
   {
-    pairs.Residuals[k] = residuals[columns[static_cast<std::size_t>(k)]];
+    pairs.Residuals[k] = residuals[columns[k]];
   }
   pairs.Vectors =
     TakeColumns(std::move(this->Vectors), columns, this->Solver.Order(), this->Threads);

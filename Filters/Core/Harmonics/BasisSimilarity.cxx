@@ -10,7 +10,7 @@ namespace spectralwatermark
 namespace
 {
 
-// One past the last eigenvalue that repeats the one at `first`.
+// One past the last eigenvalue of the cluster that begins at `first`.
 Index ClusterEnd(const Eigen::VectorXd& eigenvalues, Index first, double tolerance)
 {
   Index end = first + 1;

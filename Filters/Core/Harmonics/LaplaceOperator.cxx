@@ -20,20 +20,22 @@ namespace
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-// A triangle's smallest admitted slack b + c - a, relative to its longest edge a. It bounds the
+// Smallest slack b + c - a that a triangle may have, relative to its longest edge a. It bounds the
 // cotangents by about 1e8, so that the assembled matrix keeps the precision of its sound part.
 constexpr double MinimalSlack = 1e-8;
 
-// A component with less than this share of the whole area is a collapsed one: rounding noise.
+// Share of the whole area below which a component's area is rounding noise: it has collapsed.
 constexpr double MinimalComponentShare = 1e-14;
 
 struct TriangleElement
 {
   double Area = 0.0;
-  Eigen::Vector3d Cotangents = Eigen::Vector3d::Zero(); // of the angle at each corner
+  // The cotangent of the angle at each corner.
+  Eigen::Vector3d Cotangents = Eigen::Vector3d::Zero();
 };
 
-// Heron's formula, stable for needles (Kahan, "Miscalculating Area and Angles", 2014).
+// Heron's formula in a form that is stable for needles (Kahan, "Miscalculating Area and Angles",
+// 2014).
 double AreaFromLengths(std::array<double, 3> length)
 {
   std::sort(length.begin(), length.end(), std::greater<double>());
@@ -41,7 +43,8 @@ double AreaFromLengths(std::array<double, 3> length)
   return 0.25 * std::sqrt((a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c)));
 }
 
-// Cotangents of the triangle whose edges are all longer by what restores the minimal slack.
+// The cotangents of the triangle after all its edges were lengthened by `missing`, which restores
+// the minimal slack.
 Eigen::Vector3d MollifiedCotangents(std::array<double, 3> length, double missing)
 {
   for (double& edge : length)
@@ -50,12 +53,12 @@ Eigen::Vector3d MollifiedCotangents(std::array<double, 3> length, double missing
   }
   const double area = AreaFromLengths(length);
   Eigen::Vector3d cotangents;
-  for (std::size_t i = 0; i < 3; ++i)
+  for (int i = 0; i < 3; ++i)
   {
     const double a = length[i];
     const double b = length[(i + 1) % 3];
     const double c = length[(i + 2) % 3];
-    cotangents[static_cast<Index>(i)] = (b * b + c * c - a * a) / (4.0 * area);
+    cotangents[i] = (b * b + c * c - a * a) / (4.0 * area);
   }
   return cotangents;
 }
@@ -63,13 +66,13 @@ Eigen::Vector3d MollifiedCotangents(std::array<double, 3> length, double missing
 TriangleElement MakeElement(const TriangleMesh& mesh, Index t)
 {
   std::array<Eigen::Vector3d, 3> point;
-  for (std::size_t i = 0; i < 3; ++i)
+  for (int i = 0; i < 3; ++i)
   {
-    point[i] = mesh.Points.row(mesh.Triangles(t, static_cast<Index>(i))).transpose();
+    point[i] = mesh.Points.row(mesh.Triangles(t, i)).transpose();
   }
-  std::array<Eigen::Vector3d, 3> edge; // opposite to each corner
+  std::array<Eigen::Vector3d, 3> edge; // the edge opposite to each corner
   std::array<double, 3> length;
-  for (std::size_t i = 0; i < 3; ++i)
+  for (int i = 0; i < 3; ++i)
   {
     edge[i] = point[(i + 2) % 3] - point[(i + 1) % 3];
     length[i] = edge[i].norm();
@@ -82,10 +85,9 @@ TriangleElement MakeElement(const TriangleMesh& mesh, Index t)
   element.Area = 0.5 * doubleArea;
   if (slack >= MinimalSlack * longest && doubleArea > 0.0)
   {
-    for (std::size_t i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i)
     {
-      element.Cotangents[static_cast<Index>(i)] =
-        -edge[(i + 1) % 3].dot(edge[(i + 2) % 3]) / doubleArea;
+      element.Cotangents[i] = -edge[(i + 1) % 3].dot(edge[(i + 2) % 3]) / doubleArea;
     }
   }
   else if (longest > 0.0)
@@ -95,17 +97,17 @@ TriangleElement MakeElement(const TriangleMesh& mesh, Index t)
   return element;
 }
 
-// Lowest vertex of each vertex's connected component.
+// The connected component of each vertex, named by its lowest vertex.
 std::vector<Index> ComponentOfVertices(const TriangleMesh& mesh)
 {
-  std::vector<Index> parent(static_cast<std::size_t>(mesh.NumberOfVertices()));
+  std::vector<Index> parent(mesh.NumberOfVertices());
   std::iota(parent.begin(), parent.end(), Index{ 0 });
   const auto find = [&parent](Index v)
   {
-    while (parent[static_cast<std::size_t>(v)] != v)
+    while (parent[v] != v)
     {
-      auto& up = parent[static_cast<std::size_t>(v)];
-      up = parent[static_cast<std::size_t>(up)];
+      Index& up = parent[v];
+      up = parent[up];
       v = up;
     }
     return v;
@@ -116,26 +118,25 @@ std::vector<Index> ComponentOfVertices(const TriangleMesh& mesh)
     {
       const Index a = find(mesh.Triangles(t, 0));
       const Index b = find(mesh.Triangles(t, corner));
-      parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+      parent[std::max(a, b)] = std::min(a, b);
     }
   }
   std::vector<Index> component(parent.size());
   for (Index v = 0; v < mesh.NumberOfVertices(); ++v)
   {
-    component[static_cast<std::size_t>(v)] = find(v);
+    component[v] = find(v);
   }
   return component;
 }
 
-// Components that have area, largest first; ties by lowest vertex.
+// The components that have area, largest first, and by lowest vertex where areas are equal.
 std::vector<Index> LiveComponents(const std::vector<Index>& componentOf,
   const Eigen::VectorXd& componentArea, double totalArea)
 {
   std::vector<Index> live;
   for (Index v = 0; v < componentArea.size(); ++v)
   {
-    if (componentOf[static_cast<std::size_t>(v)] == v &&
-      componentArea[v] > MinimalComponentShare * totalArea)
+    if (componentOf[v] == v && componentArea[v] > MinimalComponentShare * totalArea)
     {
       live.push_back(v);
     }
@@ -145,8 +146,9 @@ std::vector<Index> LiveComponents(const std::vector<Index>& componentOf,
   return live;
 }
 
-// The constant, then, component after component, what is constant on the component and on the
-// rest after it, orthogonal to all before: a Gram-Schmidt basis that never cancels.
+// A basis of the kernel of S in closed form, free of cancellation. Column 0 is constant. Column k
+// is constant on component k - 1 and on the union of the components after it, is 0 on those before
+// it, and is orthogonal to the columns before it, as if by Gram-Schmidt.
 Eigen::MatrixXd KernelBasis(const std::vector<Index>& componentOf, const std::vector<Index>& live,
   const Eigen::VectorXd& componentArea)
 {
@@ -155,9 +157,9 @@ Eigen::MatrixXd KernelBasis(const std::vector<Index>& componentOf, const std::ve
   std::vector<Index> rankOf(componentOf.size(), -1);
   for (Index k = 0; k < count; ++k)
   {
-    rankOf[static_cast<std::size_t>(live[static_cast<std::size_t>(k)])] = k;
+    rankOf[live[k]] = k;
   }
-  // rest[k]: area of components k, k + 1, ...
+  // rest[k] is the area of components k, k + 1, ...
   std::vector<double> rest(live.size() + 1, 0.0);
   for (std::size_t k = live.size(); k-- > 0;)
   {
@@ -166,7 +168,7 @@ Eigen::MatrixXd KernelBasis(const std::vector<Index>& componentOf, const std::ve
   Eigen::MatrixXd kernel = Eigen::MatrixXd::Zero(n, count);
   for (Index v = 0; v < n; ++v)
   {
-    const Index rank = rankOf[static_cast<std::size_t>(componentOf[static_cast<std::size_t>(v)])];
+    const Index rank = rankOf[componentOf[v]];
     if (rank < 0)
     {
       continue;
@@ -174,9 +176,9 @@ Eigen::MatrixXd KernelBasis(const std::vector<Index>& componentOf, const std::ve
     kernel(v, 0) = 1.0 / std::sqrt(rest[0]);
     for (Index k = 1; k < count && k <= rank + 1; ++k)
     {
-      // Column k tells component k - 1 from those after it.
-      const double own = componentArea[live[static_cast<std::size_t>(k - 1)]];
-      const double others = rest[static_cast<std::size_t>(k)];
+      // Column k separates component k - 1 from those after it.
+      const double own = componentArea[live[k - 1]];
+      const double others = rest[k];
       const double scale = 1.0 / std::sqrt(own * others * (own + others));
       kernel(v, k) = (rank == k - 1) ? others * scale : -own * scale;
     }
@@ -229,12 +231,14 @@ SparseMatrix Diagonal(const Eigen::VectorXd& diagonal)
 
 void CheckMatrixSize(Index vertices, Index triangles)
 {
-  // 12 triplets a triangle, indexed by Eigen's int.
+  // Each triangle adds 12 triplets, which Eigen indexes by int.
   constexpr Index most = std::numeric_limits<int>::max() / 12;
   if (std::max(vertices, triangles) > most)
   {
-    throw InvalidInput("the mesh has over " + std::to_string(most) +
-      " triangles or points, more than the matrices can index: simplify it first");
+    throw InvalidInput("",
+      "the mesh has over " + std::to_string(most) +
+        " triangles or points, more than the matrices can index",
+      "simplify it first");
   }
 }
 
@@ -245,42 +249,42 @@ LaplaceOperator AssembleLaplaceOperator(const TriangleMesh& mesh, MassMatrix kin
   CheckMatrixSize(n, triangleCount);
 
   std::vector<TriangleElement> elements;
-  elements.reserve(static_cast<std::size_t>(triangleCount));
+  elements.reserve(triangleCount);
   const std::vector<Index> componentOf = ComponentOfVertices(mesh);
   Eigen::VectorXd componentArea = Eigen::VectorXd::Zero(n);
   for (Index t = 0; t < triangleCount; ++t)
   {
     elements.push_back(MakeElement(mesh, t));
-    componentArea[componentOf[static_cast<std::size_t>(mesh.Triangles(t, 0))]] +=
-      elements.back().Area;
+    componentArea[componentOf[mesh.Triangles(t, 0)]] += elements.back().Area;
   }
   const double totalArea = componentArea.sum();
   if (!(totalArea > 0.0) || !std::isfinite(totalArea))
   {
-    throw InvalidInput("every triangle has zero area (or an area beyond double precision): "
-                       "harmonics need a surface; check the mesh's scale and cells");
+    throw InvalidInput("",
+      "every triangle has zero area (or an area beyond double precision), and harmonics need a "
+      "surface",
+      "check the mesh's scale and cells");
   }
   const std::vector<Index> live = LiveComponents(componentOf, componentArea, totalArea);
-  std::vector<char> isLive(static_cast<std::size_t>(n), 0);
+  std::vector<char> isLive(n, 0);
   for (const Index root : live)
   {
-    isLive[static_cast<std::size_t>(root)] = 1;
+    isLive[root] = 1;
   }
-  const auto lives = [&](Index v)
-  { return isLive[static_cast<std::size_t>(componentOf[static_cast<std::size_t>(v)])] != 0; };
+  const auto lives = [&](Index v) { return isLive[componentOf[v]] != 0; };
 
   LaplaceOperator op;
   op.VertexMass = Eigen::VectorXd::Zero(n);
   Triplets stiffness;
   Triplets mass;
-  stiffness.reserve(static_cast<std::size_t>(12 * triangleCount));
+  stiffness.reserve(12 * triangleCount);
   for (Index t = 0; t < triangleCount; ++t)
   {
     if (!lives(mesh.Triangles(t, 0)))
     {
       continue;
     }
-    const TriangleElement& element = elements[static_cast<std::size_t>(t)];
+    const TriangleElement& element = elements[t];
     op.Area += element.Area;
     for (int corner = 0; corner < 3; ++corner)
     {

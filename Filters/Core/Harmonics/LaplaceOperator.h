@@ -15,30 +15,30 @@ enum class MassMatrix
   Consistent = 1 ///< B: <phi_i, phi_j> of the hat functions, whose row sums are D
 };
 
-/// The pencil S h = lambda M h of a mesh, and its known kernel.
+/// The matrices of the eigenproblem S h = lambda M h of a mesh, and its kernel.
 ///
 /// The boundary condition is the natural (Neumann) one. A non-manifold edge couples all of its
 /// triangles. Triangles so thin that their cotangents lose all precision are given a minimal
 /// thickness (intrinsic mollification as in Sharp and Crane, "A Laplacian for Nonmanifold
 /// Triangle Meshes", 2020, but triangle by triangle, so that sound triangles stay exact).
-/// A component without any area takes no part: its rows are pinned (unit stiffness, no mass), so
+/// A component without area is left out: its rows are pinned (unit stiffness, no mass), so that
 /// every harmonic is 0 there.
 struct LaplaceOperator
 {
-  SparseMatrix Stiffness;     ///< S: symmetric positive semi-definite, S 1 = 0; without unit
+  SparseMatrix Stiffness;     ///< S: symmetric positive semi-definite, S 1 = 0; dimensionless
   SparseMatrix Mass;          ///< M: D or B, in squared units of length
-  Eigen::VectorXd VertexMass; ///< diagonal of D; sums to the area
+  Eigen::VectorXd VertexMass; ///< the diagonal of D, whose sum is the area
   Eigen::MatrixXd Kernel;     ///< M-orthonormal null space of S, first column constant; n x c
-  double Area = 0.0;          ///< of the surface
+  double Area = 0.0;          ///< the area of the surface
   Index Rank = 0;             ///< number of finite eigenvalues: vertices that have mass
 };
 
-/// Throws InvalidInput when a mesh of that size has larger matrices than Eigen's indices of 32 bits allow:
-/// 178,956,970 triangles or vertices. What is made from them, factors and harmonics, is counted in 64.
+/// Throws InvalidInput when the matrices of a mesh of this size exceed Eigen's 32-bit indices,
+/// which allow 178,956,970 triangles or vertices. Factors and harmonics use 64-bit indices.
 void CheckMatrixSize(Index vertices, Index triangles);
 
-/// Assembles the operator. Throws InvalidInput when the mesh has no area at all, or CheckMatrixSize()
-/// does.
+/// Assembles the operator. Throws InvalidInput when the mesh has no area at all, or when
+/// CheckMatrixSize() does.
 LaplaceOperator AssembleLaplaceOperator(const TriangleMesh& mesh, MassMatrix kind);
 
 } // namespace spectralwatermark

@@ -3,6 +3,7 @@
 
 #include "Core/Eigensolver/BlockLanczos.h"
 #include "Core/Eigensolver/DenseSolver.h"
+#include "Core/Eigensolver/Eigensolver.h"
 #include "Core/Eigensolver/Residuals.h"
 #include "Core/Eigensolver/SpectraSolver.h"
 #include "Core/Support/MemoryBudget.h"
@@ -23,26 +24,30 @@ namespace spectralwatermark
 namespace
 {
 
-// Under this size a dense solver takes a fraction of a second, and Lanczos has no room.
+// Number of vertices up to which a dense solver takes a fraction of a second. A Krylov space would
+// be too small there.
 constexpr Index SmallProblem = 400;
 
-// Up to this size a dense solver is bearable where nothing else works: half a minute.
+// Number of vertices up to which a dense solver is acceptable where nothing else works: it takes
+// half a minute.
 constexpr Index MostDense = 2500;
 
-// Entries this close to the largest count as equal when the sign is chosen: the sign of a
-// symmetric harmonic then does not hang on rounding.
+// Relative distance to the largest entry within which an entry counts as equal to it when the sign
+// is chosen. The sign of a symmetric harmonic then does not depend on rounding.
 constexpr double SignTie = 1e-6;
 
-// A foreign basis is taken when it satisfies the equation to this accuracy. Far above what
-// storage in double loses, far below what any change of shape worth the name causes.
+// Largest relative residual of a basis that is adopted. It is far above the loss from storage in
+// double, and far below the effect of any real change of shape.
 constexpr double AdoptionTolerance = 1e-6;
 
-// What a dense solver may be asked for by name: five such matrices take 4 GB.
+// Number of vertices up to which the dense solver may be chosen by name: its five matrices then
+// take 4 GB.
 constexpr Index LargestDense = 10000;
 
-// Krylov spaces must not run out of vertices with mass, of which there are `rank`: a block's space
-// does so first. Where that could be, one vector at a time is safer and as fast; where there are
-// hardly more than harmonics wanted, only the dense solver is left.
+// Chooses the fastest solver that is safe. A Krylov space must not grow beyond the `rank` vertices
+// with mass, and a block method's space reaches that limit first. Near the limit, one vector at a
+// time is safer and as fast. Where the rank hardly exceeds the number of wanted harmonics, only the
+// dense solver works.
 SolverChoice ChooseSolver(Index vertices, Index rank, Index wanted)
 {
   const bool isTight = wanted > vertices / 2 || (rank < 4 * wanted + 100 && vertices <= MostDense);
@@ -62,9 +67,10 @@ std::unique_ptr<Eigensolver> CreateSolver(SolverChoice choice, Index vertices)
     case SolverChoice::Dense:
       if (vertices > LargestDense)
       {
-        throw InvalidInput("the dense solver is for up to " + std::to_string(LargestDense) +
-          " vertices, and this mesh has " + std::to_string(vertices) +
-          ": leave the choice of the solver to the filter");
+        throw InvalidInput("Solver",
+          "the dense solver is limited to " + std::to_string(LargestDense) +
+            " vertices, and this mesh has " + std::to_string(vertices),
+          "let the solver be chosen automatically");
       }
       return std::make_unique<DenseSolver>();
     default:
@@ -76,24 +82,26 @@ void CheckCount(const HarmonicsOptions& options, Index available)
 {
   if (options.Count < 1)
   {
-    throw InvalidInput("at least one harmonic must be asked for");
+    throw InvalidInput("Count", "no harmonic was requested", "ask for at least one");
   }
   if (options.Count > available)
   {
-    throw InvalidInput(std::to_string(options.Count) +
-      " harmonics were asked for, but the mesh has " + std::to_string(available) +
-      " distinct vertices with area and no more harmonics than that: ask "
-      "for fewer, or subdivide the mesh");
+    throw InvalidInput("Count",
+      std::to_string(options.Count) + " harmonics were requested, but the mesh has only " +
+        std::to_string(available) + " distinct vertices with area, and no more harmonics than that",
+      "ask for fewer, or subdivide the mesh");
   }
 }
 
-// At the peak, as measured (Testing/Benchmark/scaling.csv, within 10 % from 35,000 vertices and 50
-// harmonics up): the factors and what makes them, for each harmonic its vector and the Lanczos vectors
-// of its band; of the dense solver, five matrices.
+// The peak memory of a solver, in bytes. The constants are measured (Testing/Benchmark/scaling.csv)
+// and agree within 10 % from 35,000 vertices and 50 harmonics up.
 double MemoryOf(SolverChoice choice, Index vertices, Index count)
 {
+  // Bytes per vertex of the factors and their computation.
   constexpr double factorsOfVertex = 3900.0;
+  // Bytes per vertex and harmonic of its vector and the Lanczos vectors of its band.
   constexpr double vectorsOfVertex = 17.0;
+  // Bytes per entry of the dense solver's five matrices.
   constexpr double matrices = 5.0 * sizeof(double);
   const auto n = static_cast<double>(vertices);
   if (choice == SolverChoice::Dense)
@@ -149,11 +157,10 @@ std::string Scientific(double value)
   return text.str();
 }
 
-const char* SolverAdvice(const HarmonicsOptions& options)
+std::string SolverAdvice(const HarmonicsOptions& options)
 {
-  return options.Solver == SolverChoice::Automatic
-    ? ""
-    : "leave the choice of the solver to the filter, ";
+  return options.Solver == SolverChoice::Automatic ? ""
+                                                   : "let the solver be chosen automatically, ";
 }
 
 void CheckConvergence(const EigenProblem& problem, const EigenPairs& pairs,
@@ -162,7 +169,7 @@ void CheckConvergence(const EigenProblem& problem, const EigenPairs& pairs,
   if (!pairs.Complete)
   {
     throw SolverFailure("only " + std::to_string(pairs.Values.size()) + " of " +
-      std::to_string(options.Count) + " harmonics could be computed completely: " +
+        std::to_string(options.Count) + " harmonics could be computed completely",
       SolverAdvice(options) + "ask for fewer, or for another band size");
   }
   Index failed = 0;
@@ -178,19 +185,19 @@ void CheckConvergence(const EigenProblem& problem, const EigenPairs& pairs,
   if (failed > 0)
   {
     throw SolverFailure(std::to_string(failed) + " of " + std::to_string(options.Count) +
-      " harmonics have a residual over the tolerance (largest " +
-      Scientific(pairs.Residuals.maxCoeff()) +
-      "): raise the tolerance, or remove the mesh's "
-      "thinnest triangles");
+        " harmonics have a residual over the tolerance (largest " +
+        Scientific(pairs.Residuals.maxCoeff()) + ")",
+      "raise the tolerance, or remove the mesh's thinnest triangles");
   }
 }
 
-// Eigenvalues that repeat come in any order, by a rounding, and under 0, where none can be, for parts that
-// hang together by next to nothing. The kernel stays in front.
+// Sorts the pairs by eigenvalue and clamps eigenvalues at 0; the kernel stays in front. Rounding
+// puts repeated eigenvalues in any order, and makes some negative where parts of a mesh are barely
+// connected.
 void Sort(EigenPairs& pairs, Index kernel)
 {
   pairs.Values = pairs.Values.cwiseMax(0.0).eval();
-  std::vector<Index> order(static_cast<std::size_t>(pairs.Values.size()));
+  std::vector<Index> order(pairs.Values.size());
   std::iota(order.begin(), order.end(), Index{ 0 });
   std::stable_sort(order.begin() + std::min(kernel, pairs.Values.size()), order.end(),
     [&pairs](Index a, Index b) { return pairs.Values[a] < pairs.Values[b]; });
@@ -226,14 +233,15 @@ ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
   solverOptions.BandSize = options.BandSize;
   solverOptions.Tolerance = options.Tolerance;
   solverOptions.Threads = options.Threads;
-  WarmStart nearby;
+  WarmStart initialGuess;
   if (options.InitialGuess != nullptr &&
     options.InitialGuess->Basis.rows() == mesh.NumberOfVertices())
   {
-    nearby.Values = options.InitialGuess->Eigenvalues * options.InitialGuess->VertexMass.sum();
-    nearby.Vectors = &options.InitialGuess->Basis;
-    nearby.Order = options.InitialGuess->Elimination;
-    solverOptions.InitialGuess = &nearby;
+    initialGuess.Values =
+      options.InitialGuess->Eigenvalues * options.InitialGuess->VertexMass.sum();
+    initialGuess.Vectors = &options.InitialGuess->Basis;
+    initialGuess.Order = options.InitialGuess->Elimination;
+    solverOptions.InitialGuess = &initialGuess;
   }
   const SolverChoice choice = options.Solver == SolverChoice::Automatic
     ? ChooseSolver(mesh.NumberOfVertices(), op.Rank, options.Count)
@@ -264,7 +272,8 @@ ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
 
 void RequireMemoryToAdopt(Index vertices, Index count)
 {
-  constexpr double bases = 3.4; // at the peak, as measured: the copy, and what its checks multiply
+  // The measured peak memory, in bases: the copy and the products of its checks.
+  constexpr double bases = 3.4;
   RequireMemory(bases * BytesOfBasis(vertices, count), Work(vertices, count), FewerHarmonics);
 }
 

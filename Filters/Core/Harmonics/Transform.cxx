@@ -9,8 +9,9 @@ namespace spectralwatermark
 Spectrum ForwardTransform(const ManifoldHarmonics& harmonics,
   const TriangleMesh::PointMatrix& points)
 {
-  // Relative to the centroid, so that a model far from the origin loses no digits; only the
-  // kernel sees the centroid, as every other harmonic is orthogonal to constants.
+  // Points are taken relative to the centroid, so that a model far from the origin loses no digits.
+  // Only the kernel's descriptors depend on the centroid, as all other harmonics are orthogonal to
+  // constants.
   const Eigen::RowVector3d centroid = points.colwise().mean();
   const Eigen::MatrixXd weighted = harmonics.Mass * (points.rowwise() - centroid);
   Spectrum spectrum = harmonics.Basis.transpose() * weighted;

@@ -2,7 +2,6 @@
 #include "Core/LinearAlgebra/FrontalKernels.h"
 
 #include "Core/LinearAlgebra/SimdRow.h"
-#include "Core/Support/Types.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +14,8 @@ namespace
 
 #define ALWAYS_INLINE inline __attribute__((always_inline))
 
-// The products of a few rows of L, `depth` long, with as many rows of eight as that. Few enough to
-// stay in registers, which the loops must be unrolled for.
+// Multiplies a few rows of L, each `depth` long, by `depth` rows of eight. The rows are few enough
+// for the sums to stay in registers, provided that the loops are unrolled.
 template <int Count>
 ALWAYS_INLINE void MultiplyFewRows(const double* l, Index stride, Index depth, const double* eights,
   SimdRow* products)
@@ -82,7 +81,7 @@ MULTIVERSIONED bool FactorizePivots(double* block, Index stride, Index count, do
   return true;
 }
 
-// Each row holds L D of it on the way: y_j = a_j - sum over k < j of y_k L_jk.
+// The row y of L D follows from the row a of the matrix by y_j = a_j - sum over k < j of y_k L_jk.
 MULTIVERSIONED void SolveFrontRows(double* rows, Index stride, Index rowCount, Index count,
   const double* upper, const double* inverseD)
 {
@@ -148,7 +147,7 @@ MULTIVERSIONED void AddFront(const double* b, Index bStride, const int* place, I
 namespace
 {
 
-// Rows of a supernode, own or below, minus L times the first `depth` of its own.
+// Subtracts L times the first `depth` of a supernode's own rows from other rows, own or below.
 template <int Count>
 ALWAYS_INLINE void Forward(const double* l, Index width, Index depth, const double* own,
   SimdRow* const* to)
@@ -182,7 +181,7 @@ ALWAYS_INLINE void ForwardOwn(const double* l, Index width, Index begin, double*
   }
 }
 
-// Columns `begin` to `begin` + Count of the transposed, once the rows after them are known.
+// Back substitution for rows `begin` to `begin` + Count - 1, once the rows after them are known.
 template <int Count>
 ALWAYS_INLINE void Backward(const SupernodeFactor& factor, Index begin, double* own,
   const double* x)

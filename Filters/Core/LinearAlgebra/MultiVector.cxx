@@ -22,7 +22,7 @@ Index ChunkCount(Index rows)
   return (rows + RowsPerChunk - 1) / RowsPerChunk;
 }
 
-// A row of eight for each vector of a basis.
+// Coefficients of a block: a row of eight for each vector of a basis.
 using Small = Eigen::Matrix<double, Eigen::Dynamic, BlockWidth, Eigen::RowMajor>;
 
 } // namespace
@@ -107,7 +107,7 @@ MULTIVERSIONED void MultiplyRows(const int* outer, const int* inner, const doubl
 namespace
 {
 
-// The columns of C for each block that comes out, filled up with zeros in both directions.
+// The columns of C for each block of the result, padded with zeros in both directions.
 std::vector<Small> CoefficientsByBlock(const Eigen::MatrixXd& c, const MultiVectorView& basis)
 {
   std::vector<Small> coefficients;
@@ -127,13 +127,13 @@ BlockVector MakeBlockVector(Index rows)
   BlockVector block(rows, BlockWidth);
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
   constexpr std::size_t hugePage = std::size_t{ 1 } << 21;
-  const std::size_t bytes = static_cast<std::size_t>(block.size()) * sizeof(double);
+  const std::size_t bytes = block.size() * sizeof(double);
   char* begin = reinterpret_cast<char*>(block.data());
   const std::size_t skipped =
     (hugePage - reinterpret_cast<std::uintptr_t>(begin) % hugePage) % hugePage;
   if (bytes >= skipped + hugePage)
   {
-    // A hint: may fail.
+    // This is only a hint, so its failure does not matter.
     madvise(begin + skipped, (bytes - skipped) / hugePage * hugePage, MADV_HUGEPAGE);
   }
 #endif
@@ -164,35 +164,35 @@ Eigen::MatrixXd ProjectScaled(const MultiVectorView& basis, const MultiVectorVie
 {
   const Index rows = basis.Count > 0 ? basis.First[0].rows() : 0;
   const Index chunks = ChunkCount(rows);
-  // A partial sum for each group of chunks: few enough to add up, the same for any threads.
+  // Each group of chunks has a partial sum. The groups are few, so that adding the sums is cheap,
+  // and do not depend on the number of threads.
   const Index groups = std::min<Index>(chunks, 8);
   const Index pairs = basis.Count * y.Count;
-  std::vector<Small> partial(static_cast<std::size_t>(groups), Small::Zero(8 * pairs, 8));
+  std::vector<Small> partial(groups, Small::Zero(8 * pairs, 8));
   ForEachTask(threads, groups,
     [&](Index group)
     {
-      double* sum = partial[static_cast<std::size_t>(group)].data();
-      MultiVector scaled(scale != nullptr ? static_cast<std::size_t>(y.Count) : 0);
-      std::vector<const double*> right(static_cast<std::size_t>(y.Count));
+      double* sum = partial[group].data();
+      MultiVector scaled(scale != nullptr ? y.Count : 0);
+      std::vector<const double*> right(y.Count);
       for (Index chunk = group * chunks / groups; chunk < (group + 1) * chunks / groups; ++chunk)
       {
         const Index begin = chunk * RowsPerChunk;
         const Index count = std::min(RowsPerChunk, rows - begin);
         for (Index j = 0; j < y.Count; ++j)
         {
-          const auto column = static_cast<std::size_t>(j);
-          right[column] = y.First[j].data() + 8 * begin;
+          right[j] = y.First[j].data() + 8 * begin;
           if (scale != nullptr)
           {
-            scaled[column] = Eigen::Map<const Eigen::VectorXd>(scale + begin, count).asDiagonal() *
+            scaled[j] = Eigen::Map<const Eigen::VectorXd>(scale + begin, count).asDiagonal() *
               y.First[j].middleRows(begin, count);
-            right[column] = scaled[column].data();
+            right[j] = scaled[j].data();
           }
         }
         for (Index pair = 0; pair < pairs; ++pair)
         {
-          BlockOuterProduct(basis.First[pair / y.Count].data() + 8 * begin,
-            right[static_cast<std::size_t>(pair % y.Count)], count, sum + 64 * pair);
+          BlockOuterProduct(basis.First[pair / y.Count].data() + 8 * begin, right[pair % y.Count],
+            count, sum + 64 * pair);
         }
       }
     });
@@ -237,13 +237,12 @@ Eigen::MatrixXd InnerProducts(const MultiVectorView& basis, const SparseMatrix& 
   {
     return ProjectScaled(basis, y, a.valuePtr(), threads);
   }
-  product.resize(std::max(product.size(), static_cast<std::size_t>(y.Count)));
+  product.resize(std::max<std::size_t>(product.size(), y.Count));
   for (Index k = 0; k < y.Count; ++k)
   {
-    MultiplyBlock(a, y.First[k], product[static_cast<std::size_t>(k)], threads);
+    MultiplyBlock(a, y.First[k], product[k], threads);
   }
-  return ProjectScaled(basis, MultiVectorView(product.data(), static_cast<std::size_t>(y.Count)),
-    nullptr, threads);
+  return ProjectScaled(basis, MultiVectorView(product.data(), y.Count), nullptr, threads);
 }
 
 void SubtractCombination(const MultiVectorView& basis, const Eigen::MatrixXd& c, BlockVector* w,
@@ -261,8 +260,7 @@ void SubtractCombination(const MultiVectorView& basis, const Eigen::MatrixXd& c,
         for (Index output = 0; output < outputs; ++output)
         {
           AccumulateBlock(basis.First[k].data() + BlockWidth * begin,
-            negative[static_cast<std::size_t>(output)].data() + 64 * k, rows,
-            w[output].data() + BlockWidth * begin);
+            negative[output].data() + 64 * k, rows, w[output].data() + BlockWidth * begin);
         }
       }
     });
@@ -308,7 +306,8 @@ MultiVector LinearCombination(const MultiVectorView& basis, const Eigen::MatrixX
   {
     result.push_back(MakeBlockVector(rows));
   }
-  constexpr Index rowsPerTile = 256; // few enough that a tile of the whole basis stays in the cache
+  // Few enough rows that a tile of the whole basis stays in the cache.
+  constexpr Index rowsPerTile = 256;
   ForEachTask(threads, (rows + rowsPerTile - 1) / rowsPerTile,
     [&](Index tile)
     {
@@ -363,8 +362,7 @@ MultiVector SelectColumns(const MultiVector& blocks, const std::vector<Index>& c
         for (std::size_t c = 0; c < BlockWidth; ++c)
         {
           const Index column = c < count ? columns[first + c] : 0;
-          const double* source =
-            blocks[static_cast<std::size_t>(column / BlockWidth)].data() + column % BlockWidth;
+          const double* source = blocks[column / BlockWidth].data() + column % BlockWidth;
           for (Index row = begin; row < end; ++row)
           {
             target[BlockWidth * row + static_cast<Index>(c)] =

@@ -14,21 +14,22 @@ namespace spectralwatermark
 namespace
 {
 
-// Rows that are worked on as one task, and fronts that are large enough for several.
+// Number of rows of a front that are processed as one task.
 constexpr Index RowsPerTask = 64;
+
+// Height from which a front is large enough for several threads.
 constexpr Index LargeFront = 256;
 
 } // namespace
 
 MultifrontalLdlt::MultifrontalLdlt(const SparseMatrix& pattern)
   : Tree(FindSupernodes(pattern))
-  , Place(static_cast<std::size_t>(pattern.nonZeros()), -1)
+  , Place(pattern.nonZeros(), -1)
 {
-  std::vector<int> rowInFront(static_cast<std::size_t>(pattern.cols()));
+  std::vector<int> rowInFront(pattern.cols());
   for (const Supernode& node : this->Tree.Nodes)
   {
-    const auto place = [&rowInFront](int row, int at)
-    { rowInFront[static_cast<std::size_t>(row)] = at; };
+    const auto place = [&rowInFront](int row, int at) { rowInFront[row] = at; };
     for (int k = 0; k < node.Width; ++k)
     {
       place(node.First + k, k);
@@ -44,7 +45,7 @@ MultifrontalLdlt::MultifrontalLdlt(const SparseMatrix& pattern)
         const int row = pattern.innerIndexPtr()[p];
         if (row >= j)
         {
-          this->Place[static_cast<std::size_t>(p)] = rowInFront[static_cast<std::size_t>(row)];
+          this->Place[p] = rowInFront[row];
         }
       }
     }
@@ -60,7 +61,7 @@ bool MultifrontalLdlt::Factorize(const SparseMatrix& matrix, int threads)
   ForEachTask(threads, static_cast<Index>(this->Tree.Groups.size()),
     [&](Index group)
     {
-      for (const int s : this->Tree.Groups[static_cast<std::size_t>(group)])
+      for (const int s : this->Tree.Groups[group])
       {
         if (!sound || !this->Eliminate(s, matrix, fronts, 1))
         {
@@ -80,16 +81,16 @@ void MultifrontalLdlt::Assemble(const Supernode& node, const SparseMatrix& matri
   std::vector<Front>& fronts, Front& front) const
 {
   const Index height = node.Height();
-  // Eight more, so that a row can be worked on in eights from anywhere in it.
+  // Each row is followed by seven more values, so that eight can be read from anywhere in it.
   front.Stride = height + 7;
-  front.Values.assign(static_cast<std::size_t>(height * front.Stride), 0.0);
+  front.Values.assign(height * front.Stride, 0.0);
   double* values = front.Values.data();
   for (Index k = 0; k < node.Width; ++k)
   {
     const Index j = node.First + k;
     for (int p = matrix.outerIndexPtr()[j]; p < matrix.outerIndexPtr()[j + 1]; ++p)
     {
-      if (const int row = this->Place[static_cast<std::size_t>(p)]; row >= 0)
+      if (const int row = this->Place[p]; row >= 0)
       {
         values[row * front.Stride + k] = matrix.valuePtr()[p];
       }
@@ -97,8 +98,8 @@ void MultifrontalLdlt::Assemble(const Supernode& node, const SparseMatrix& matri
   }
   for (const int c : node.Children)
   {
-    const Supernode& child = this->Tree.Nodes[static_cast<std::size_t>(c)];
-    Front& update = fronts[static_cast<std::size_t>(c)];
+    const Supernode& child = this->Tree.Nodes[c];
+    Front& update = fronts[c];
     AddFront(update.Values.data() + child.Width * (update.Stride + 1), update.Stride,
       child.InParent.data(), static_cast<Index>(child.InParent.size()), values, front.Stride);
     update = Front();
@@ -108,8 +109,8 @@ void MultifrontalLdlt::Assemble(const Supernode& node, const SparseMatrix& matri
 bool MultifrontalLdlt::Eliminate(int s, const SparseMatrix& matrix, std::vector<Front>& fronts,
   int threads)
 {
-  const Supernode& node = this->Tree.Nodes[static_cast<std::size_t>(s)];
-  Front& front = fronts[static_cast<std::size_t>(s)];
+  const Supernode& node = this->Tree.Nodes[s];
+  Front& front = fronts[s];
   this->Assemble(node, matrix, fronts, front);
   const Index height = node.Height();
   double* values = front.Values.data();
@@ -161,11 +162,11 @@ void MultifrontalLdlt::Solve(BlockVector& x, int threads) const
   ForEachTask(threads, groups,
     [&](Index k)
     {
-      BlockVector& update = updates[static_cast<std::size_t>(k)];
+      BlockVector& update = updates[k];
       update.setZero(this->Tree.TopRows, BlockWidth);
-      for (const int s : this->Tree.Groups[static_cast<std::size_t>(k)])
+      for (const int s : this->Tree.Groups[k])
       {
-        const Supernode& node = this->Tree.Nodes[static_cast<std::size_t>(s)];
+        const Supernode& node = this->Tree.Nodes[s];
         SubstituteForward(factorOf(node), x.data() + BlockWidth * node.First, x.data(),
           this->Tree.TopRow.data(), update.data());
       }
@@ -173,29 +174,29 @@ void MultifrontalLdlt::Solve(BlockVector& x, int threads) const
 
   for (const int s : this->Tree.Top)
   {
-    const Supernode& node = this->Tree.Nodes[static_cast<std::size_t>(s)];
+    const Supernode& node = this->Tree.Nodes[s];
     for (const BlockVector& update : updates)
     {
       x.middleRows(node.First, node.Width) +=
-        update.middleRows(this->Tree.TopRow[static_cast<std::size_t>(node.First)], node.Width);
+        update.middleRows(this->Tree.TopRow[node.First], node.Width);
     }
-    // Nothing lies above the top.
+    // Nothing lies above the top, so all rows below are rows of x.
     SupernodeFactor factor = factorOf(node);
     factor.TopBegin = factor.BelowCount;
     SubstituteForward(factor, x.data() + BlockWidth * node.First, x.data(), nullptr, nullptr);
   }
   for (auto s = this->Tree.Top.rbegin(); s != this->Tree.Top.rend(); ++s)
   {
-    const Supernode& node = this->Tree.Nodes[static_cast<std::size_t>(*s)];
+    const Supernode& node = this->Tree.Nodes[*s];
     SubstituteBack(factorOf(node), x.data() + BlockWidth * node.First, x.data());
   }
   ForEachTask(threads, groups,
     [&](Index k)
     {
-      const std::vector<int>& members = this->Tree.Groups[static_cast<std::size_t>(k)];
+      const std::vector<int>& members = this->Tree.Groups[k];
       for (auto s = members.rbegin(); s != members.rend(); ++s)
       {
-        const Supernode& node = this->Tree.Nodes[static_cast<std::size_t>(*s)];
+        const Supernode& node = this->Tree.Nodes[*s];
         SubstituteBack(factorOf(node), x.data() + BlockWidth * node.First, x.data());
       }
     });

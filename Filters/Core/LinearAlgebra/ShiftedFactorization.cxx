@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <iostream> // before Eigen's METIS support, which needs it and does not include it
+// Eigen's METIS support uses <iostream> without including it, so it must come first.
+#include <iostream>
 
 #include "Core/LinearAlgebra/ShiftedFactorization.h"
 
@@ -18,15 +19,15 @@ namespace
 
 Eigen::VectorXi NestedDissection(const SparseMatrix& pattern)
 {
-  // METIS draws its random numbers from one place for the whole process: calls that overlap would
-  // give each other other numbers, and other orders.
+  // METIS uses one random generator for the whole process; concurrent calls would change each
+  // other's orderings.
   static std::mutex oneAtATime;
   const std::lock_guard<std::mutex> lock(oneAtATime);
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> toOriginal;
   Eigen::MetisOrdering<int>()(pattern, toOriginal);
   if (toOriginal.size() != pattern.rows())
   {
-    throw SolverFailure("METIS found no order for the elimination: is there enough memory?");
+    throw SolverFailure("METIS found no elimination order", "check that there is enough memory");
   }
   return toOriginal.indices();
 }
@@ -87,7 +88,7 @@ void ShiftedFactorization::SolveWithMass(MultiVector& x, bool refine, int thread
     [&](Index k)
     {
       BlockVector right;
-      MultiplyBlock(this->PermutedMass, x[static_cast<std::size_t>(k)], right, 1);
+      MultiplyBlock(this->PermutedMass, x[k], right, 1);
       BlockVector solution = right;
       this->Solve(solution, 1);
       if (refine)
@@ -98,7 +99,7 @@ void ShiftedFactorization::SolveWithMass(MultiVector& x, bool refine, int thread
         this->Solve(right, 1);
         solution += right;
       }
-      x[static_cast<std::size_t>(k)] = std::move(solution);
+      x[k] = std::move(solution);
     });
 }
 

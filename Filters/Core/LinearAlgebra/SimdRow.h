@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// A row of a block as one value, for the innermost loops.
+/// A row of eight doubles as one value, for the innermost loops.
 #ifndef SpectralWatermark_Core_LinearAlgebra_SimdRow_h
 #define SpectralWatermark_Core_LinearAlgebra_SimdRow_h
 
-// The widest instructions that the machine has are chosen when the library is loaded; sanitizers
-// cannot run that early.
+// A function marked MULTIVERSIONED is compiled for several instruction sets. The widest one that
+// the machine has is chosen when the library is loaded, which is too early for sanitizers to run.
 #ifdef __has_feature
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define CHOSEN_TOO_EARLY
@@ -22,13 +22,16 @@
 namespace spectralwatermark
 {
 
-/// Eight doubles. Aligned to a double only, as rows of any buffer are.
+/// Eight doubles, aligned only as a double is, so that a row may lie anywhere in a buffer.
 typedef double SimdRow __attribute__((vector_size(64), aligned(8), may_alias));
 
+/// The rows of a buffer of doubles.
 inline const SimdRow* SimdRows(const double* data)
 {
   return reinterpret_cast<const SimdRow*>(data);
 }
+
+/// The rows of a buffer of doubles.
 inline SimdRow* SimdRows(double* data)
 {
   return reinterpret_cast<SimdRow*>(data);

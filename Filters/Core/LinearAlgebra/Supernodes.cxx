@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/LinearAlgebra/Supernodes.h"
 
-#include "Core/Support/Types.h"
-
 #include <algorithm>
 #include <numeric>
 #include <queue>
@@ -13,40 +11,39 @@ namespace spectralwatermark
 namespace
 {
 
-// More than there are threads as a rule, so that they finish together; each costs a pass over the
-// rows above.
+// Number of groups of subtrees. It usually exceeds the number of threads, so that they finish at
+// about the same time; each group costs a pass over the rows of the top.
 constexpr std::size_t NumberOfGroups = 8;
 
-// A subtree of at most this part of all work is not divided further.
+// Largest share of the total work that a subtree may have without being divided further.
 constexpr double LargestSubtree = 1.0 / 8.0;
 
-// Supernodes up to this width are merged whatever zeros that brings: dense loops over a few columns
-// more cost less than another front.
+// Width up to which supernodes are merged no matter how many zeros that adds: dense loops over a
+// few more columns cost less than another front.
 constexpr int AlwaysMerged = 8;
 
-// The share of zeros that wider ones may have.
+// Largest share of zeros among the entries of a wider supernode that is merged.
 constexpr double ZerosAllowed = 0.08;
 
 struct EliminationTree
 {
-  std::vector<int> Parent; // -1 at a root
-  std::vector<int> Count;  // entries of each column of L, with the diagonal
+  std::vector<int> Parent; // the parent of each column; -1 at a root
+  std::vector<int> Count;  // entries of each column of L, the diagonal included
 };
 
-// Row k of L has an entry in every column on the paths of the tree from the entries of row k of the
-// matrix up to k.
+// Builds the tree row by row. Row k of L has an entry in every column on the paths that lead, in
+// the tree, from the entries of row k of the matrix up to k.
 EliminationTree BuildTree(const SparseMatrix& pattern)
 {
-  const auto size = static_cast<std::size_t>(pattern.cols());
+  const Index size = pattern.cols();
   EliminationTree tree{ std::vector<int>(size, -1), std::vector<int>(size, 1) };
   std::vector<int> visited(size, -1);
-  for (int k = 0; k < pattern.cols(); ++k)
+  for (int k = 0; k < size; ++k)
   {
-    visited[static_cast<std::size_t>(k)] = k;
+    visited[k] = k;
     for (SparseMatrix::InnerIterator entry(pattern, k); entry && entry.row() < k; ++entry)
     {
-      for (auto i = static_cast<std::size_t>(entry.row()); visited[i] != k;
-           i = static_cast<std::size_t>(tree.Parent[i]))
+      for (Index i = entry.row(); visited[i] != k; i = tree.Parent[i])
       {
         visited[i] = k;
         ++tree.Count[i];
@@ -60,58 +57,58 @@ EliminationTree BuildTree(const SparseMatrix& pattern)
   return tree;
 }
 
-// The children of every node, and last the roots.
+// The children of every column, and the roots in a last list.
 std::vector<std::vector<int>> ChildrenOf(const EliminationTree& tree)
 {
-  std::vector<std::vector<int>> children(tree.Parent.size() + 1);
-  for (std::size_t j = 0; j < tree.Parent.size(); ++j)
+  const auto size = static_cast<int>(tree.Parent.size());
+  std::vector<std::vector<int>> children(size + 1);
+  for (int j = 0; j < size; ++j)
   {
     const bool isRoot = tree.Parent[j] < 0;
-    children[isRoot ? tree.Parent.size() : static_cast<std::size_t>(tree.Parent[j])].push_back(
-      static_cast<int>(j));
+    children[isRoot ? size : tree.Parent[j]].push_back(j);
   }
   for (std::vector<int>& siblings : children)
   {
     std::stable_sort(siblings.begin(), siblings.end(),
-      [&tree](int a, int b) {
-        return tree.Count[static_cast<std::size_t>(a)] < tree.Count[static_cast<std::size_t>(b)];
-      });
+      [&tree](int a, int b) { return tree.Count[a] < tree.Count[b]; });
   }
   return children;
 }
 
-// Columns are one supernode as long as each has one row more than the next, which is its parent.
+// The fundamental supernodes: in each, a column's parent is the next column, which has one row
+// fewer.
 std::vector<Supernode> FundamentalSupernodes(const EliminationTree& tree)
 {
   std::vector<Supernode> nodes;
-  for (std::size_t j = 0; j < tree.Parent.size(); ++j)
+  const auto size = static_cast<int>(tree.Parent.size());
+  for (int j = 0; j < size; ++j)
   {
     const bool continues =
-      j > 0 && tree.Parent[j - 1] == static_cast<int>(j) && tree.Count[j - 1] == tree.Count[j] + 1;
+      j > 0 && tree.Parent[j - 1] == j && tree.Count[j - 1] == tree.Count[j] + 1;
     if (!continues)
     {
       nodes.emplace_back();
-      nodes.back().First = static_cast<int>(j);
+      nodes.back().First = j;
     }
     ++nodes.back().Width;
   }
   return nodes;
 }
 
-// Merges supernodes with the parent that they lie next to, where that brings few zeros.
+// Merges a supernode with its parent where the two are adjacent and that adds few zeros.
 std::vector<Supernode> MergeSupernodes(const std::vector<Supernode>& nodes,
   const EliminationTree& tree)
 {
   std::vector<Supernode> merged;
-  std::vector<double> zeros; // of each
+  std::vector<double> zeros; // the number of zeros in each of `merged`
   for (Supernode node : nodes)
   {
-    const int below = tree.Count[static_cast<std::size_t>(node.First)] - node.Width;
+    const int below = tree.Count[node.First] - node.Width;
     double nodeZeros = 0.0;
     while (!merged.empty())
     {
       const Supernode& child = merged.back();
-      const auto last = static_cast<std::size_t>(child.First + child.Width - 1);
+      const int last = child.First + child.Width - 1;
       const int parent = tree.Parent[last];
       if (parent < node.First || parent >= node.First + node.Width)
       {
@@ -138,26 +135,28 @@ std::vector<Supernode> MergeSupernodes(const std::vector<Supernode>& nodes,
   return merged;
 }
 
-// Rows below a supernode: those of its columns in the matrix, and those of its children.
+// Finds the rows below each supernode, which are those of its columns in the matrix and those of
+// its children, and from them the parents and children.
 void FindRows(const SparseMatrix& pattern, std::vector<Supernode>& nodes)
 {
-  const auto size = static_cast<std::size_t>(pattern.cols());
+  const Index size = pattern.cols();
+  const auto count = static_cast<int>(nodes.size());
   std::vector<int> nodeOf(size);
   std::vector<int> marked(size, -1);
   std::vector<int> place(size);
-  for (std::size_t s = 0; s < nodes.size(); ++s)
+  for (int s = 0; s < count; ++s)
   {
-    std::fill_n(nodeOf.begin() + nodes[s].First, nodes[s].Width, static_cast<int>(s));
+    std::fill_n(nodeOf.begin() + nodes[s].First, nodes[s].Width, s);
   }
-  for (std::size_t s = 0; s < nodes.size(); ++s)
+  for (int s = 0; s < count; ++s)
   {
     Supernode& node = nodes[s];
     const int end = node.First + node.Width;
     const auto add = [&](int row)
     {
-      if (row >= end && marked[static_cast<std::size_t>(row)] != static_cast<int>(s))
+      if (row >= end && marked[row] != s)
       {
-        marked[static_cast<std::size_t>(row)] = static_cast<int>(s);
+        marked[row] = s;
         node.Below.push_back(row);
       }
     };
@@ -170,7 +169,7 @@ void FindRows(const SparseMatrix& pattern, std::vector<Supernode>& nodes)
     }
     for (const int child : node.Children)
     {
-      const std::vector<int>& rows = nodes[static_cast<std::size_t>(child)].Below;
+      const std::vector<int>& rows = nodes[child].Below;
       std::for_each(rows.begin(), rows.end(), add);
     }
     std::sort(node.Below.begin(), node.Below.end());
@@ -178,47 +177,46 @@ void FindRows(const SparseMatrix& pattern, std::vector<Supernode>& nodes)
     std::iota(place.begin() + node.First, place.begin() + end, 0);
     for (std::size_t k = 0; k < node.Below.size(); ++k)
     {
-      place[static_cast<std::size_t>(node.Below[k])] = node.Width + static_cast<int>(k);
+      place[node.Below[k]] = node.Width + static_cast<int>(k);
     }
     for (const int child : node.Children)
     {
-      Supernode& below = nodes[static_cast<std::size_t>(child)];
+      Supernode& below = nodes[child];
       below.InParent.resize(below.Below.size());
       std::transform(below.Below.begin(), below.Below.end(), below.InParent.begin(),
-        [&place](int row) { return place[static_cast<std::size_t>(row)]; });
+        [&place](int row) { return place[row]; });
     }
     if (!node.Below.empty())
     {
-      node.Parent = nodeOf[static_cast<std::size_t>(node.Below.front())];
-      nodes[static_cast<std::size_t>(node.Parent)].Children.push_back(static_cast<int>(s));
+      node.Parent = nodeOf[node.Below.front()];
+      nodes[node.Parent].Children.push_back(s);
     }
   }
 }
 
-// Roots of disjoint subtrees, the heaviest first: from the whole tree down, the heaviest is divided
-// into its children until it is light enough.
+// The roots of disjoint subtrees, heaviest first. Starts from the whole tree and divides the
+// heaviest subtree into its children until it is light enough.
 std::vector<int> DivideTree(const std::vector<Supernode>& nodes, const std::vector<double>& weight)
 {
   const auto lighter = [&weight](int a, int b)
   {
-    const double difference =
-      weight[static_cast<std::size_t>(a)] - weight[static_cast<std::size_t>(b)];
+    const double difference = weight[a] - weight[b];
     return difference < 0.0 || (difference == 0.0 && a > b);
   };
   std::priority_queue<int, std::vector<int>, decltype(lighter)> subtrees(lighter);
   double total = 0.0;
-  for (std::size_t s = 0; s < nodes.size(); ++s)
+  const auto count = static_cast<int>(nodes.size());
+  for (int s = 0; s < count; ++s)
   {
     if (nodes[s].Parent < 0)
     {
-      subtrees.push(static_cast<int>(s));
+      subtrees.push(s);
       total += weight[s];
     }
   }
-  while (
-    !subtrees.empty() && weight[static_cast<std::size_t>(subtrees.top())] > LargestSubtree * total)
+  while (!subtrees.empty() && weight[subtrees.top()] > LargestSubtree * total)
   {
-    const auto heaviest = static_cast<std::size_t>(subtrees.top());
+    const int heaviest = subtrees.top();
     subtrees.pop();
     for (const int child : nodes[heaviest].Children)
     {
@@ -233,7 +231,7 @@ std::vector<int> DivideTree(const std::vector<Supernode>& nodes, const std::vect
   return roots;
 }
 
-// Entries of L in the subtree of each supernode.
+// The weight of each supernode: the number of entries of L in its subtree.
 std::vector<double> SubtreeWeights(const std::vector<Supernode>& nodes)
 {
   std::vector<double> weight(nodes.size());
@@ -242,13 +240,13 @@ std::vector<double> SubtreeWeights(const std::vector<Supernode>& nodes)
     weight[s] += static_cast<double>(nodes[s].Height()) * nodes[s].Width;
     if (nodes[s].Parent >= 0)
     {
-      weight[static_cast<std::size_t>(nodes[s].Parent)] += weight[s];
+      weight[nodes[s].Parent] += weight[s];
     }
   }
   return weight;
 }
 
-// A supernode belongs to the group of the subtree that it is in, or to the top.
+// Distributes the supernodes: each belongs to the group of its subtree, or to the top.
 void FormGroups(SupernodeTree& tree)
 {
   const std::vector<double> weight = SubtreeWeights(tree.Nodes);
@@ -257,19 +255,18 @@ void FormGroups(SupernodeTree& tree)
   for (const int root : DivideTree(tree.Nodes, weight))
   {
     const auto lightest = std::min_element(load.begin(), load.end());
-    *lightest += weight[static_cast<std::size_t>(root)];
-    group[static_cast<std::size_t>(root)] = static_cast<int>(lightest - load.begin());
+    *lightest += weight[root];
+    group[root] = static_cast<int>(lightest - load.begin());
   }
   tree.Groups.resize(NumberOfGroups);
-  for (std::size_t s = tree.Nodes.size(); s-- > 0;)
+  for (int s = static_cast<int>(tree.Nodes.size()) - 1; s >= 0; --s)
   {
     const int parent = tree.Nodes[s].Parent;
     if (group[s] < 0 && parent >= 0)
     {
-      group[s] = group[static_cast<std::size_t>(parent)];
+      group[s] = group[parent];
     }
-    (group[s] < 0 ? tree.Top : tree.Groups[static_cast<std::size_t>(group[s])])
-      .push_back(static_cast<int>(s));
+    (group[s] < 0 ? tree.Top : tree.Groups[group[s]]).push_back(s);
   }
   std::reverse(tree.Top.begin(), tree.Top.end());
   for (std::vector<int>& members : tree.Groups)
@@ -278,11 +275,12 @@ void FormGroups(SupernodeTree& tree)
   }
 }
 
+// Numbers the rows of the top, and finds where they begin among the rows below each supernode.
 void NumberTopRows(SupernodeTree& tree)
 {
   for (const int s : tree.Top)
   {
-    const Supernode& node = tree.Nodes[static_cast<std::size_t>(s)];
+    const Supernode& node = tree.Nodes[s];
     std::iota(tree.TopRow.begin() + node.First, tree.TopRow.begin() + node.First + node.Width,
       tree.TopRows);
     tree.TopRows += node.Width;
@@ -290,8 +288,8 @@ void NumberTopRows(SupernodeTree& tree)
   for (Supernode& node : tree.Nodes)
   {
     const auto firstInTop = std::find_if(node.Below.begin(), node.Below.end(),
-      [&tree](int row) { return tree.TopRow[static_cast<std::size_t>(row)] >= 0; });
-    node.TopBegin = static_cast<std::size_t>(firstInTop - node.Below.begin());
+      [&tree](int row) { return tree.TopRow[row] >= 0; });
+    node.TopBegin = firstInTop - node.Below.begin();
   }
 }
 
@@ -300,7 +298,7 @@ void NumberTopRows(SupernodeTree& tree)
 Eigen::VectorXi Postorder(const SparseMatrix& pattern)
 {
   const std::vector<std::vector<int>> children = ChildrenOf(BuildTree(pattern));
-  // From the last column backwards: a node, then its children from the last one on.
+  // Filled from the last position backwards: a column, then its children, the last one first.
   Eigen::VectorXi order(pattern.cols());
   Index next = order.size();
   std::vector<int> waiting = children.back();
@@ -309,7 +307,7 @@ Eigen::VectorXi Postorder(const SparseMatrix& pattern)
     const int node = waiting.back();
     waiting.pop_back();
     order[--next] = node;
-    const std::vector<int>& own = children[static_cast<std::size_t>(node)];
+    const std::vector<int>& own = children[node];
     waiting.insert(waiting.end(), own.begin(), own.end());
   }
   return order;
@@ -324,10 +322,10 @@ SupernodeTree FindSupernodes(const SparseMatrix& pattern)
   for (Supernode& node : tree.Nodes)
   {
     node.Offset = tree.Entries;
-    tree.Entries += static_cast<std::size_t>(node.Height()) * static_cast<std::size_t>(node.Width);
+    tree.Entries += static_cast<std::size_t>(node.Height()) * node.Width;
   }
   FormGroups(tree);
-  tree.TopRow.assign(static_cast<std::size_t>(pattern.cols()), -1);
+  tree.TopRow.assign(pattern.cols(), -1);
   NumberTopRows(tree);
   return tree;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The edges of a triangle mesh, and the triangles at each of them.
+/// The edges of a triangle mesh, and the triangles at each edge.
 #ifndef SpectralWatermark_Core_Mesh_EdgeTopology_h
 #define SpectralWatermark_Core_Mesh_EdgeTopology_h
 
@@ -11,16 +11,18 @@
 namespace spectralwatermark
 {
 
-/// An undirected edge, smaller index first.
+/// An undirected edge: its two vertices, smaller index first.
 using Edge = std::pair<Index, Index>;
 
-/// The edges of a mesh in sorted order, each once, with its triangles: one on a boundary, two inside a
-/// manifold. Flat arrays, so that a million triangles cost three sorts and no small allocations.
+/// The edges of a mesh in sorted order, each once, with its triangles. There is one triangle at an
+/// edge on a boundary and there are two at an edge inside a manifold. The arrays are flat, so that
+/// a million triangles cost one sort and no small allocations.
 class EdgeTopology
 {
 public:
   explicit EdgeTopology(const TriangleMesh& mesh);
 
+  /// All edges, sorted.
   const std::vector<Edge>& Edges() const { return this->EdgeList; }
 
   /// Calls visit(edge, sides) for every edge in order; `sides` holds its triangles, ascending.
@@ -33,7 +35,7 @@ public:
     }
   }
 
-  /// Some consecutive triangles; valid as long as the topology.
+  /// The triangles at an edge, ascending; valid as long as the topology.
   struct Sides
   {
     const Index* First;
@@ -43,26 +45,27 @@ public:
     Index operator[](Index side) const { return this->First[side]; }
   };
 
-  /// The triangles of the edge with this number, ascending.
+  /// The triangles at the edge with this number.
   Sides TrianglesOf(Index edge) const
   {
     return { this->Triangles.data() + this->Starts[edge],
       this->Starts[edge + 1] - this->Starts[edge] };
   }
 
-  /// The triangles of the edge between two vertices, which must exist.
+  /// The triangles at the edge between two vertices. The edge must exist.
   Sides TrianglesBetween(Index a, Index b) const;
 
 private:
   std::vector<Edge> EdgeList;
-  std::vector<Index> Starts;    // of each edge in Triangles, and the end
-  std::vector<Index> Triangles; // edge by edge
+  std::vector<Index> Starts;    // where each edge's triangles begin in Triangles, and the end
+  std::vector<Index> Triangles; // the triangles at each edge, edge by edge
 };
 
-/// Every edge once, sorted.
+/// All edges, each once, sorted.
 std::vector<Edge> UniqueEdges(const TriangleMesh& mesh);
 
-/// Whether the boundary of the triangle runs from the one vertex directly to the other.
+/// Whether the triangle's boundary, in the order of its corners, has the directed edge from `from`
+/// to `to`.
 bool HasDirectedEdge(const TriangleMesh& mesh, Index triangle, Index from, Index to);
 
 } // namespace spectralwatermark

@@ -71,7 +71,8 @@ TriangleMesh Oriented(const TriangleMesh& mesh)
     states[seed] = State::Kept;
     std::vector<Index> component = { seed };
     double volume = 0.0;
-    for (std::size_t next = 0; next < component.size(); ++next) // grows on the way
+    // The component grows inside the loop.
+    for (std::size_t next = 0; next < component.size(); ++next)
     {
       const Index t = component[next];
       if (states[t] == State::Flipped)

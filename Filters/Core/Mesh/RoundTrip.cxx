@@ -12,7 +12,7 @@ TriangleMesh::PointMatrix RoundTripResult::ToStored(const TriangleMesh::PointMat
   TriangleMesh::PointMatrix stored = TriangleMesh::PointMatrix::Zero(count, 3);
   for (Index v = 0; v < count; ++v)
   {
-    const Index vertex = this->VertexOf[static_cast<std::size_t>(v)];
+    const Index vertex = this->VertexOf[v];
     if (vertex >= 0)
     {
       stored.row(v) = rows.row(vertex);
@@ -26,7 +26,7 @@ RoundTrip ExactRoundTrip(const TriangleMesh& mesh)
   return [&mesh](const TriangleMesh::PointMatrix& points)
   {
     RoundTripResult stored{ { points, mesh.Triangles }, {}, points };
-    stored.VertexOf.resize(static_cast<std::size_t>(points.rows()));
+    stored.VertexOf.resize(points.rows());
     std::iota(stored.VertexOf.begin(), stored.VertexOf.end(), Index{ 0 });
     return stored;
   };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+/// The triangle mesh that all of Core works on.
 #ifndef SpectralWatermark_Core_Mesh_TriangleMesh_h
 #define SpectralWatermark_Core_Mesh_TriangleMesh_h
 
@@ -10,8 +11,9 @@
 namespace spectralwatermark
 {
 
-/// A triangle mesh: any topology, any number of components, boundaries and non-manifold edges
-/// allowed. Vertices are expected to be distinct points (the seam to VTK merges coincident ones).
+/// A triangle mesh of any topology, with any number of components; boundaries and non-manifold
+/// edges are allowed. Vertices should be distinct points (the conversion from VTK merges coincident
+/// ones).
 struct TriangleMesh
 {
   using PointMatrix = Eigen::Matrix<double, Eigen::Dynamic, 3>;
@@ -20,14 +22,17 @@ struct TriangleMesh
   PointMatrix Points;       ///< n x 3, in the model's units
   TriangleMatrix Triangles; ///< t x 3 indices of points
 
+  /// The number of points, n.
   Index NumberOfVertices() const { return this->Points.rows(); }
+
+  /// The number of triangles, t.
   Index NumberOfTriangles() const { return this->Triangles.rows(); }
 };
 
 /// A list of triangles as the rows of a matrix.
 TriangleMesh::TriangleMatrix ToTriangleMatrix(const std::vector<std::array<Index, 3>>& triangles);
 
-/// Whether both have as many vertices, and the same triangles in the same order.
+/// Whether two meshes have the same number of vertices and the same triangles in the same order.
 bool SameTriangles(const TriangleMesh& a, const TriangleMesh& b);
 
 } // namespace spectralwatermark

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/PaperScheme/SlotEmbedding.h"
 
-#include "Core/Harmonics/Transform.h"
 #include "Core/Payload/Bits.h"
 
 #include <cmath>

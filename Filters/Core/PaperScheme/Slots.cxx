@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/PaperScheme/Slots.h"
 
-#include "Core/Harmonics/Transform.h"
-
 #include <cmath>
 
 namespace spectralwatermark
@@ -57,28 +55,32 @@ void CheckSlots(const SlotOptions& options, Index bits)
 {
   if (bits < 1)
   {
-    throw InvalidInput(
-      "the message is empty: set at least one bit, such as \"10110\", or a secret key "
-      "to derive one from");
+    throw InvalidInput("Message", "the message is empty",
+      "give at least one bit, such as \"10110\", or a secret key to derive a message from");
   }
   if (options.SlotSize < 4)
   {
-    throw InvalidInput("SlotSize must be at least 4: a carrier needs references around it");
+    throw InvalidInput("SlotSize",
+      "slots of " + std::to_string(options.SlotSize) +
+        " components have no room for references around the carrier",
+      "choose 4 or more");
   }
   if (options.CarrierPosition < 2 || options.CarrierPosition > options.SlotSize - 1)
   {
-    throw InvalidInput("CarrierPosition " + std::to_string(options.CarrierPosition) +
-      " is not inside its slot: choose 2 to SlotSize - 1, here " +
-      std::to_string(options.SlotSize - 1));
+    throw InvalidInput("CarrierPosition",
+      "position " + std::to_string(options.CarrierPosition) + " is not inside a slot of " +
+        std::to_string(options.SlotSize) + " components",
+      "choose 2 to " + std::to_string(options.SlotSize - 1));
   }
   if (options.FirstComponent < 2)
   {
-    throw InvalidInput("FirstComponent must be at least 2: component 1 is constant and holds the "
-                       "model's position");
+    throw InvalidInput("FirstComponent", "component 1 is constant and holds the model's position",
+      "choose 2 or more");
   }
   if (!(options.TurbulenceFactor >= 0.0) || !std::isfinite(options.TurbulenceFactor))
   {
-    throw InvalidInput("TurbulenceFactor must be a finite number, 0 or more");
+    throw InvalidInput("TurbulenceFactor", "the value is negative or not finite",
+      "choose a finite number, 0 or more");
   }
 }
 
@@ -89,11 +91,13 @@ void CheckCapacity(const SlotOptions& options, Index bits, Index available)
   {
     const Index capacity =
       std::max<Index>(0, (available - options.FirstComponent + 1) / options.SlotSize);
-    throw InvalidInput(std::to_string(bits) + " bits need " + std::to_string(needed) +
-      " harmonics, and the mesh has no more than " + std::to_string(available) +
-      ", one per distinct vertex: it can carry " + std::to_string(capacity) + " bits in slots of " +
-      std::to_string(options.SlotSize) + " from component " +
-      std::to_string(options.FirstComponent) + " on");
+    throw InvalidInput("Message",
+      std::to_string(bits) + " bits need " + std::to_string(needed) +
+        " harmonics, and the mesh has only " + std::to_string(available) +
+        ", one for each distinct vertex",
+      "in slots of " + std::to_string(options.SlotSize) + " from component " +
+        std::to_string(options.FirstComponent) + " on, it can carry " + std::to_string(capacity) +
+        " bits");
   }
 }
 
@@ -101,10 +105,12 @@ void CheckSlotsAboveKernel(const SlotOptions& options, Index kernelDimension)
 {
   if (options.FirstComponent <= kernelDimension)
   {
-    throw InvalidInput("the mesh has " + std::to_string(kernelDimension) +
-      " components, and as many first harmonics are constant on each of them: a mark there would "
-      "move the parts against each other. Set FirstComponent to " +
-      std::to_string(kernelDimension + 1) + " or more, or take the largest component alone");
+    throw InvalidInput("FirstComponent",
+      "the mesh has " + std::to_string(kernelDimension) +
+        " components, and that many first harmonics are constant on each of them: a mark there "
+        "would move the parts against each other",
+      "choose " + std::to_string(kernelDimension + 1) +
+        " or more, or take the largest component alone");
   }
 }
 

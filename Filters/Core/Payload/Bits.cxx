@@ -8,15 +8,15 @@
 namespace spectralwatermark
 {
 
-void CheckMessage(const std::string& message)
+void CheckMessage(const std::string& message, const std::string& parameter)
 {
   const std::size_t wrong = message.find_first_not_of("01");
   if (wrong != std::string::npos)
   {
-    throw InvalidInput("the message \"" + message +
-      "\" has a character other than 0 and 1 at "
-      "position " +
-      std::to_string(wrong + 1) + ": write the bits, such as \"10110\"");
+    throw InvalidInput(parameter,
+      "the message \"" + message + "\" has a character other than 0 and 1 at position " +
+        std::to_string(wrong + 1),
+      "write the bits, such as \"10110\"");
   }
 }
 

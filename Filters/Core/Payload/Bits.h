@@ -10,8 +10,8 @@
 namespace spectralwatermark
 {
 
-/// Throws InvalidInput unless the message is made of 0 and 1 only.
-void CheckMessage(const std::string& message);
+/// Throws InvalidInput, about `parameter`, unless the message is made of 0 and 1 only.
+void CheckMessage(const std::string& message, const std::string& parameter = "Message");
 
 /// The number of positions where two messages of the same length agree.
 Index CountAgreements(const std::string& a, const std::string& b);

@@ -42,7 +42,7 @@ SecretKey::SecretKey(const std::string& secret)
 {
   if (secret.empty())
   {
-    throw InvalidInput("the secret key is empty");
+    throw InvalidInput("SecretKey", "the secret is empty", "give at least one character");
   }
   InitializeSodium();
   crypto_generichash(this->Master.data(), this->Master.size(),

@@ -91,8 +91,10 @@ CarrierSet CarriersOf(const SecretKey& key, Index messageBits)
 {
   if (messageBits < 1 || messageBits > LargestMessage)
   {
-    throw InvalidInput("the robust scheme takes messages of 1 to " +
-      std::to_string(LargestMessage) + " bits, not " + std::to_string(messageBits));
+    throw InvalidInput("NumberOfBits",
+      "the robust scheme takes messages of 1 to " + std::to_string(LargestMessage) + " bits, not " +
+        std::to_string(messageBits),
+      "choose a message of such a length");
   }
   const Index blocks = WordsOf(messageBits);
   const Index count = GolayCodeBits * blocks;

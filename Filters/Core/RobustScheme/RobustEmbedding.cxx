@@ -47,11 +47,11 @@ void RequireMemoryToEmbed(Index vertices, Index bits)
   const auto bits = static_cast<Index>(options.Message.size());
   const Index most = MessageBitsOf(
     MostWords(oriented, key, options.MaximumDistortion, WordsOf(bits), options.Threads, progress));
-  throw InvalidInput(std::to_string(bits) + " bits would move the surface by " +
-    Percent(distortion) + " of its diagonal, more than MaximumDistortion, " +
-    Percent(options.MaximumDistortion) + ": raise it" +
-    (most > 0 ? ", or embed fewer bits (" + std::to_string(most) + " would fit)"
-              : "; not even one bit fits"));
+  throw InvalidInput("MaximumDistortion",
+    std::to_string(bits) + " bits would move the surface by " + Percent(distortion) +
+      " of its diagonal, and " + Percent(options.MaximumDistortion) + " are allowed",
+    most > 0 ? "raise it, or embed fewer bits (" + std::to_string(most) + " would fit)"
+             : "raise it: not even one bit fits");
 }
 
 } // namespace

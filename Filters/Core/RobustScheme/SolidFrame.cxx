@@ -133,9 +133,10 @@ SolidFrame FrameOf(const TriangleMesh& oriented)
   const std::optional<SolidFrame> frame = FrameIfAny(oriented);
   if (!frame)
   {
-    throw InvalidInput(
-      "the surface encloses no volume, or is too open to have an inside, which the "
-      "robust scheme needs: close it, or use the scheme PaperSlots");
+    throw InvalidInput("",
+      "the surface encloses no volume, or is too open to have an inside, which the robust scheme "
+      "needs",
+      "close it, or use the paper's scheme");
   }
   return *frame;
 }

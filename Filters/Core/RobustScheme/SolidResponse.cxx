@@ -87,8 +87,10 @@ SolidResponse::SolidResponse(const SolidView& view, const CarrierSet& carriers, 
   const VectorXd pivots = factors.vectorD();
   if (!(pivots.minCoeff() > SmallestPivot * pivots.maxCoeff()))
   {
-    throw InvalidInput("the mesh is too small or too simple for so many bits: " +
-      std::to_string(carriers.Count()) + " waves cannot be told apart on it. Embed fewer bits");
+    throw InvalidInput("NumberOfBits",
+      "the mesh is too small or too simple for so many bits: " + std::to_string(carriers.Count()) +
+        " waves cannot be told apart on it",
+      "embed fewer bits");
   }
   this->Inverse = factors.solve(MatrixXd::Identity(this->Patterns.cols(), this->Patterns.cols()));
   this->Inverse = (0.5 * (this->Inverse + this->Inverse.transpose())).eval();

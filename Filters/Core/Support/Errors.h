@@ -4,20 +4,50 @@
 #define SpectralWatermark_Core_Support_Errors_h
 
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace spectralwatermark
 {
 
-/// The caller can mend it: a bad mesh or parameters that do not fit it. what() says how.
-struct InvalidInput : std::runtime_error
+/// An error in parts, so that whoever reports it can put its own name to the parameter.
+struct Failure : std::runtime_error
 {
-  using std::runtime_error::runtime_error;
+  Failure(std::string parameter, std::string reason, std::string advice)
+    : std::runtime_error(TextOf(parameter, reason, advice))
+    , Parameter(std::move(parameter))
+    , Reason(std::move(reason))
+    , Advice(std::move(advice))
+  {
+  }
+
+  /// "parameter: reason; advice", without what is empty.
+  static std::string TextOf(const std::string& parameter, const std::string& reason,
+    const std::string& advice)
+  {
+    return (parameter.empty() ? "" : parameter + ": ") + reason +
+      (advice.empty() ? "" : "; " + advice);
+  }
+
+  std::string
+    Parameter;        ///< the option at fault, by its name in the options struct; empty: the mesh
+  std::string Reason; ///< what is wrong, without the parameter's name
+  std::string Advice; ///< what the user can do; may be empty
+};
+
+/// The caller can correct it: a bad mesh, or parameters that contradict each other or do not fit the mesh.
+struct InvalidInput : Failure
+{
+  using Failure::Failure;
 };
 
 /// The numerics gave up: a singular factorisation, or eigenpairs that could not be completed.
-struct SolverFailure : std::runtime_error
+struct SolverFailure : Failure
 {
-  using std::runtime_error::runtime_error;
+  explicit SolverFailure(std::string reason, std::string advice = "")
+    : Failure("", std::move(reason), std::move(advice))
+  {
+  }
 };
 
 /// The progress callback asked to stop. Not an error.

@@ -25,7 +25,7 @@ constexpr double Unlimited = std::numeric_limits<double>::infinity();
 
 #ifdef __linux__
 
-// The first number in a file that holds one, or "max"; also infinite where there is no file.
+// The number that a file begins with. Infinite when the file says "max" or does not exist.
 double NumberIn(const std::string& path)
 {
   std::ifstream file(path);
@@ -37,7 +37,7 @@ double NumberIn(const std::string& path)
   return number;
 }
 
-// The number behind `name` in a file of names and numbers; else `otherwise`.
+// The number after `name` in a file of lines "name number"; `otherwise` if there is no such line.
 double NumberNamed(const std::string& path, const std::string& name, double otherwise)
 {
   std::ifstream file(path);
@@ -74,17 +74,19 @@ double FreeOfAddresses()
   return static_cast<double>(limit.rlim_cur) - used;
 }
 
-// What a version of control groups calls its files.
+// The names of the files of one version of control groups.
 struct GroupFiles
 {
   std::string Root;
   std::string Limit;
   std::string Usage;
-  std::string Cache; // in memory.stat: what the system takes back when it is needed
+  // The name, in memory.stat, of the cache that the system reclaims when memory runs short.
+  std::string Cache;
 };
 
-// A limit on a group holds for the groups in it. In a container the path may be that outside: what is
-// not there limits nothing, and the container's own group is the root.
+// A group's limit also holds for the groups inside it, so every group on the path counts. In a
+// container the path may be the one that the host sees: folders that do not exist set no limit, and
+// the container's own group is the root.
 double FreeOfGroups(std::string path, const GroupFiles& names)
 {
   double free = Unlimited;
@@ -129,7 +131,8 @@ double AvailableMemoryOfGroups(const std::string& root)
   double free = Unlimited;
   std::ifstream groups(root + "/proc/self/cgroup");
   std::string number;
-  std::string controllers; // none: version 2
+  // Empty for version 2.
+  std::string controllers;
   std::string path;
   while (std::getline(groups, number, ':') && std::getline(groups, controllers, ':') &&
     std::getline(groups, path))
@@ -165,9 +168,11 @@ double AvailableMemory()
 
 #endif
 
-void RequireMemory(double bytes, const std::string& work, const std::string& advice)
+void RequireMemory(double bytes, const std::string& work, const std::string& advice,
+  const std::string& parameter)
 {
-  constexpr double always = 50e6; // not worth asking: about what a program starts with
+  // Less than this, about what a program starts with, is not worth a check.
+  constexpr double always = 50e6;
   if (bytes <= always)
   {
     return;
@@ -175,15 +180,17 @@ void RequireMemory(double bytes, const std::string& work, const std::string& adv
   const double available = AvailableMemory();
   if (bytes > available)
   {
-    throw InvalidInput(work + " need about " + Amount(bytes) + " of memory, and " +
-      Amount(available) + " are free: " + advice);
+    throw InvalidInput(parameter,
+      work + " need about " + Amount(bytes) + " of memory, and " + Amount(available) + " are free",
+      advice);
   }
 }
 
-void RequireMemoryForTriangles(Index triangles, double bytesOfTriangle, const std::string& advice)
+void RequireMemoryForTriangles(Index triangles, double bytesOfTriangle, const std::string& advice,
+  const std::string& parameter)
 {
   RequireMemory(bytesOfTriangle * static_cast<double>(triangles),
-    std::to_string(triangles) + " triangles", advice);
+    std::to_string(triangles) + " triangles", advice, parameter);
 }
 
 } // namespace spectralwatermark

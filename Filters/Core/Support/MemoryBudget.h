@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Whether work fits into memory, asked before it starts: Linux grants what is not there, and kills the
-/// process that uses it.
+/// Checks, before work starts, whether it fits into memory. Linux grants more memory than there is
+/// and kills the process that uses it.
 #ifndef SpectralWatermark_Core_Support_MemoryBudget_h
 #define SpectralWatermark_Core_Support_MemoryBudget_h
 
@@ -11,21 +11,23 @@
 namespace spectralwatermark
 {
 
-/// Bytes that this process may still take: the least of what the machine has free (with swap), what is
-/// left of RLIMIT_AS (`ulimit -v`), and what is left to its control groups, as of containers. Infinite
-/// where nothing is known of them, as on other systems than Linux.
+/// The bytes that this process may still allocate: the least of the machine's free memory (with
+/// swap), what RLIMIT_AS (`ulimit -v`) leaves, and what the process's control groups, such as a
+/// container's, leave. Infinite where nothing is known about these, as on systems other than Linux.
 double AvailableMemory();
 
-/// What is left to the control groups of this process, of both versions; `root` stands for "/".
+/// The bytes that the control groups of this process leave, of versions 1 and 2; `root` stands for
+/// "/".
 double AvailableMemoryOfGroups(const std::string& root = "");
 
-/// Throws InvalidInput when `bytes` are more than that. `work` is what needs them, in the plural;
-/// `advice` is what the user can do.
-void RequireMemory(double bytes, const std::string& work, const std::string& advice);
+/// Throws InvalidInput when `bytes` exceed AvailableMemory(). `work` is what needs them, in the plural;
+/// `advice` is what the user can do, about `parameter` if one decides.
+void RequireMemory(double bytes, const std::string& work, const std::string& advice,
+  const std::string& parameter = "");
 
-/// The same, where so many bytes are needed for each triangle.
+/// Throws InvalidInput when that many triangles, each of which needs `bytesOfTriangle`, do not fit.
 void RequireMemoryForTriangles(Index triangles, double bytesOfTriangle,
-  const std::string& advice = "simplify the mesh first");
+  const std::string& advice = "simplify the mesh first", const std::string& parameter = "");
 
 } // namespace spectralwatermark
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+/// A parallel loop over tasks.
 #ifndef SpectralWatermark_Core_Support_Parallel_h
 #define SpectralWatermark_Core_Support_Parallel_h
 
@@ -9,9 +10,9 @@
 namespace spectralwatermark
 {
 
-/// Calls work(task) for every task from 0 to tasks - 1, on up to `threads` threads. Which thread
-/// takes which task is open, so results must not depend on it: whoever sums, sums by task. Work must
-/// not throw.
+/// Calls work(task) for every task from 0 to tasks - 1, on up to `threads` threads. Tasks are
+/// assigned to threads in no fixed order: accumulate per task, never per thread, so that results do
+/// not depend on the assignment. work() must not throw.
 template <typename Work>
 void ForEachTask(int threads, Eigen::Index tasks, const Work& work)
 {

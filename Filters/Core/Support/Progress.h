@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+/// Progress reports of nested computations, and their abort.
 #ifndef SpectralWatermark_Core_Support_Progress_h
 #define SpectralWatermark_Core_Support_Progress_h
 
@@ -11,9 +12,9 @@
 namespace spectralwatermark
 {
 
-/// Reports how far a computation is, and stops it when the listener says so.
+/// Reports how far a computation is, and stops it when the listener asks for that.
 ///
-/// A computation reports fractions of its own work from 0 to 1; its caller hands it a part() of
+/// A computation reports fractions of its own work, from 0 to 1. Its caller passes it a Part() of
 /// the caller's range, so that nested computations add up. The reported fraction never decreases
 /// as long as every level reports in order.
 class Progress
@@ -28,7 +29,7 @@ public:
   {
   }
 
-  /// Tells the listener. Throws Aborted when it asks for a stop.
+  /// Passes the fraction to the listener. Throws Aborted when it asks for a stop.
   void Report(double fraction) const
   {
     const double clamped = std::min(1.0, std::max(0.0, fraction));
@@ -38,7 +39,7 @@ public:
     }
   }
 
-  /// The range from `begin` to `end` (fractions of this range) as a range of its own.
+  /// The part of this range from `begin` to `end` (fractions of it), as a range of its own.
   Progress Part(double begin, double end) const
   {
     Progress part(*this);

@@ -21,7 +21,7 @@ std::uint64_t Mix(std::uint64_t x)
   return x ^ (x >> 31);
 }
 
-// In (0, 1): 53 bits, never 0.
+// A number in (0, 1) from the upper 53 bits; never 0.
 double UniformOfBits(std::uint64_t bits)
 {
   return (static_cast<double>(bits >> 11) + 0.5) * 0x1.0p-53;
@@ -34,7 +34,8 @@ double UniformRandom(std::uint64_t seed, std::uint64_t element)
   return UniformOfBits(Mix(Mix(seed) ^ element));
 }
 
-// Box-Muller; the standard library's distributions differ between implementations.
+// By Box and Muller, because the distributions of the standard library differ between
+// implementations.
 double NormalRandom(std::uint64_t seed, std::uint64_t element)
 {
   const std::uint64_t first = Mix(Mix(seed) ^ element);
@@ -45,14 +46,14 @@ double NormalRandom(std::uint64_t seed, std::uint64_t element)
 
 std::vector<Index> RandomOrder(Index count, std::uint64_t seed)
 {
-  std::vector<Index> order(static_cast<std::size_t>(count));
+  std::vector<Index> order(count);
   std::iota(order.begin(), order.end(), Index{ 0 });
-  // Fisher and Yates; std::shuffle differs between implementations.
+  // By Fisher and Yates, because std::shuffle differs between implementations.
   for (Index k = count - 1; k > 0; --k)
   {
     const auto other = static_cast<Index>(
       UniformRandom(seed, static_cast<std::uint64_t>(k)) * static_cast<double>(k + 1));
-    std::swap(order[static_cast<std::size_t>(k)], order[static_cast<std::size_t>(other)]);
+    std::swap(order[k], order[other]);
   }
   return order;
 }

@@ -8,6 +8,7 @@
 namespace spectralwatermark
 {
 
+/// A signed index or count, as wide as a pointer.
 using Index = Eigen::Index;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 

@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which bits survive what: meshes x schemes x keys x attacks, on all cores.
+"""Measures which marks survive which attacks: meshes x schemes x keys x attacks, on all cores.
 
-    PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s -noreset \\
+    PYTHONPATH=build/lib/python3/dist-packages \\
         /usr/bin/python3 Testing/Benchmark/robustness --keys 2 --output robustness
 
-Schemes: Robust at two budgets of distortion, the paper's four modes, and the method of Cho and others
-(2007) as baseline. Messages are derived from the keys. Every result goes into OUTPUT/marks.csv and
-OUTPUT/outcomes.csv as soon as it is there: interrupted, or with more keys or meshes, the same command
-goes on where it was. At the end OUTPUT/index.html has tables and curves, with the published rates of
-the benchmark of Wang and others (2010) beside them; its charts are drawn through X, a virtual one is
-enough. Debian's packages python3-numpy, python3-tqdm and xvfb.
+The schemes are Robust at two budgets of distortion, the paper's four modes, and as the baseline the
+method of Cho and others (2007). Messages are derived from the keys. Every result is written to
+OUTPUT/marks.csv and OUTPUT/outcomes.csv at once: after an interruption, or with more keys or meshes, the
+same command resumes. At the end OUTPUT/index.html has tables and curves next to the published rates of
+the benchmark of Wang and others (2010). Needs Debian's packages python3-numpy, python3-tqdm,
+python3-jinja2 and python3-matplotlib.
 """
 
 from __future__ import annotations
@@ -33,10 +33,11 @@ def parse() -> argparse.Namespace:
                         help=f"default: {' '.join(MESHES)}")
     parser.add_argument("--schemes", nargs="+", default=[scheme.name for scheme in SCHEMES],
                         choices=[scheme.name for scheme in SCHEMES], metavar="SCHEME")
-    parser.add_argument("--keys", type=int, default=2, help="how many (default: 2)")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="default: one a core")
+    parser.add_argument("--keys", type=int, default=2, help="number of keys (default: 2)")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(),
+                        help="processes at a time (default: one for each core)")
     parser.add_argument("--output", type=Path, default=Path("robustness"))
-    parser.add_argument("--only-page", action="store_true", help="from the results that are there")
+    parser.add_argument("--only-page", action="store_true", help="write the page from existing results")
     parser.add_argument("--meshes-folder", type=Path, default=Path(
         os.environ.get("SPECTRALWATERMARK_MESH_DIR") or SOURCE.parent / "shared" / "meshes"))
     return parser.parse_args()
@@ -46,7 +47,8 @@ def main() -> None:
     arguments = parse()
     if not arguments.only_page:
         run(arguments)
-    import page  # draws: needs a display
+    import page  # imported here because the workers need no matplotlib
+
     page.write(arguments.output)
 
 

@@ -3,10 +3,10 @@
 using distribution of vertex norms", IEEE Transactions on Signal Processing 55(1), 2007; the variant
 that changes means.
 
-The distances of the vertices from their centre are sorted into as many equal bins, from the smallest to
-the largest, as there are bits. Within a bin they are mapped to [0, 1], where they average to about a
-half, and raised to a power that brings their mean to a half plus the strength for a 1, minus it for a 0.
-Reading compares the means with a half.
+Equal bins divide the range of the vertices' distances from their centre, one bin for each bit. The
+distances within a bin are mapped to [0, 1], where their mean is about a half, and raised to a power that
+brings the mean to a half plus the strength for a 1, and to a half minus the strength for a 0. Reading
+compares the means with a half.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def embed(points: np.ndarray, bits: str, strength: float = STRENGTH) -> np.ndarr
     changed = norms.copy()
     for number, bit in enumerate(bits):
         inside = np.flatnonzero(bins == number)
-        # What ends the whole range stays: bins must be found again.
+        # The smallest and the largest distance stay: they define the bins for the reader.
         inside = inside[(norms[inside] > norms.min()) & (norms[inside] < norms.max())]
         if len(inside) == 0:
             continue

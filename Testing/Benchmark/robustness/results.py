@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results as files: one line for each marked mesh and for each reading, written as soon as it is there."""
+"""Results as files: one line for each marked mesh and for each reading, written at once."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Mark:
 
 @dataclass
 class Outcome:
-    """What was read after an attack."""
+    """A reading after an attack."""
 
     scheme: str
     mesh: str

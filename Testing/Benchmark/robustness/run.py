@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Marks, attacks and reads, one marked mesh a process; what is there already is not done again."""
+"""Marks, attacks and reads in one process for each marked mesh; skips results that already exist."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ from spectralwatermark.io import read_mesh
 Group = tuple[str, str, str]  # scheme, mesh, key: one marked mesh
 Case = tuple[str, str]  # attack, strength
 
-rows: multiprocessing.Queue  # of a worker: to the process that writes
+rows: multiprocessing.Queue  # in a worker: takes results to the process that writes them
 
 
 def start_worker(to_writer: multiprocessing.Queue) -> None:
     global rows  # pylint: disable=global-statement
     rows = to_writer
-    vtkSMPTools.Initialize(1)  # one mesh a core
+    vtkSMPTools.Initialize(1)  # one thread for each mesh
 
 
 def displacement(original: vtkPolyData, marked: vtkPolyData) -> float:

@@ -67,7 +67,7 @@ def _detect(mesh: vtkPolyData, key: str, **properties: object) -> Reading:
     detect = vtkSpectralWatermarkDetect()
     _set(detect, mesh, key, properties)
     detect.UseDerivedMessageOn()
-    detect.SetFalsePositiveRate(1.0)  # p-values are judged later, and five bits prove nothing
+    detect.SetFalsePositiveRate(1.0)  # p-values are judged later; five bits could not reach a lower rate
     detect.Update()
     if detect.GetErrorCode():
         return Reading(0.5, 1.0, False)

@@ -32,7 +32,7 @@ TEST(RoundTrip, ExactKeepsTrianglesAndPoints)
 TEST(RoundTrip, ARefusalAfterItNamesStoringAsTheReason)
 {
   EXPECT_EQ(ReadAfterRoundTrip([] { return 7; }), 7);
-  const auto refuse = []() -> int { throw InvalidInput("nothing is left"); };
+  const auto refuse = []() -> int { throw InvalidInput("", "nothing is left", ""); };
   coretesting::ExpectRefusal([&] { ReadAfterRoundTrip(refuse); },
     "once marked and rounded as its points are stored, the mesh cannot be read");
   coretesting::ExpectRefusal([&] { ReadAfterRoundTrip(refuse); }, "nothing is left");

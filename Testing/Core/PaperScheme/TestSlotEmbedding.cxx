@@ -140,7 +140,7 @@ TEST(SlotEmbedding, AMeshThatIsRefusedOnceStoredEndsTheSearch)
   {
     if (left-- == 0)
     {
-      throw InvalidInput("there is nothing left");
+      throw InvalidInput("", "there is nothing left", "");
     }
     return ExactRoundTrip(mesh)(points);
   };

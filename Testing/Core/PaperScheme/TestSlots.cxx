@@ -112,18 +112,19 @@ TEST(Slots, ContradictoryOptionsAreRefused)
   for (const int position : { 1, 10 })
   {
     slots.CarrierPosition = position;
-    expectRefusal(5, "CarrierPosition " + std::to_string(position) + " is not inside its slot");
+    expectRefusal(5,
+      "position " + std::to_string(position) + " is not inside a slot of 10 components");
   }
   slots = SlotOptions();
   slots.SlotSize = 3;
   slots.CarrierPosition = 2;
-  expectRefusal(5, "SlotSize must be at least 4");
+  expectRefusal(5, "slots of 3 components have no room for references");
   slots = SlotOptions();
   slots.FirstComponent = 1;
-  expectRefusal(5, "FirstComponent must be at least 2");
+  expectRefusal(5, "component 1 is constant");
   slots = SlotOptions();
   slots.TurbulenceFactor = std::nan("");
-  expectRefusal(5, "TurbulenceFactor must be a finite number");
+  expectRefusal(5, "the value is negative or not finite");
   ExpectRefusal([] { CheckSlotsAboveKernel(SlotOptions(), 44); }, "the mesh has 44 components");
   EXPECT_NO_THROW(CheckSlotsAboveKernel(SlotOptions(), 20));
 }

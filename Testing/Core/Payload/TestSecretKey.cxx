@@ -101,7 +101,7 @@ TEST(SecretKey, SmallestSlotHasTwoPlaces)
 
 TEST(SecretKey, EmptyIsRefused)
 {
-  coretesting::ExpectRefusal([] { SecretKey(""); }, "the secret key is empty");
+  coretesting::ExpectRefusal([] { SecretKey(""); }, "the secret is empty");
 }
 
 // On the heap, which an emptied string keeps: what was there can be looked at.

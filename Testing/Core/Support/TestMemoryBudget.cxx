@@ -30,7 +30,7 @@ TEST(MemoryBudget, MoreThanAnyMachineHasIsRefused)
   EXPECT_EQ(text.find("a billion harmonics need about 1230000000 GB of memory, and "),
     std::size_t{ 0 })
     << text;
-  EXPECT_NE(text.find(" GB are free: ask for fewer"), std::string::npos) << text;
+  EXPECT_NE(text.find(" GB are free; ask for fewer"), std::string::npos) << text;
 }
 
 // More than 32 bits count: none are lost on the way to the text.

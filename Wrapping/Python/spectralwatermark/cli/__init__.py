@@ -1,79 +1,74 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The program spectral-watermark.
 
-    parser.py     what can be typed, and the help that teaches it
-    secret.py     where the secret comes from
-    tasks.py      from what was typed to a request for each mesh
-    commands/     what each command does to one mesh: from a request to a result
-    mesh_info.py  what info tells
-    batch.py      the same for many files, each in a process of its own
-    text_output.py results in words
-    terminal.py   results as lines or JSON, progress, errors
+    parser.py       the options, and the help
+    secret.py       where the secret comes from
+    tasks.py        turns parsed arguments into a task for each mesh
+    processes.py    runs each task in a process of its own
+    commands/       what each command does: turns a task into a result
+    mesh_info.py    the statistics that info shows
+    text_output.py  turns results into text
+    output.py       prints results and errors
+    progress.py     the progress bar
+    display.py      a display to draw on
 
-What takes long to import (numpy, VTK's readers) waits until the arguments are understood.
+Modules that take long to import (numpy, VTK's readers) are imported once the arguments are known to be good.
 """
 
 from __future__ import annotations
 
-import signal
 import sys
+from typing import Any
 
-from . import terminal
+from . import output
+from .display import display
+from .processes import StopRequests, run_each
+from .progress import ProgressBar
 
 DONE, NOT_FOUND, ERROR = 0, 1, 2
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Runs the program; its exit code: 0 done or found, 1 not found, 2 error."""
-    if arguments is None:
-        arguments = sys.argv[1:]
-    terminal.print_any_name()
+    """Runs the program and returns its exit code: 0 done or found, 1 not found, 2 error."""
+    output.print_any_name()
+    stop = StopRequests()
     try:
-        if arguments == ["worker"]:  # what --jobs starts: a request on standard input
-            from .batch import work
-
-            return work()
-        return _run(arguments)
-    except terminal.UserError as error:
-        terminal.say_error(str(error))
+        return _run(sys.argv[1:] if arguments is None else arguments, stop)
+    except output.UserError as error:
+        output.print_error(str(error))
     except KeyboardInterrupt:
-        terminal.say_error("stopped")
-    except BrokenPipeError:  # the reader of our output went away: nobody to tell
-        terminal.forget_output()
+        output.print_error("stopped")
+    except BrokenPipeError:  # whoever read our output is gone, so there is nobody to tell
+        output.discard_output()
     except Exception as error:  # noqa: BLE001 - a traceback would end with the code of "not found"
-        terminal.say_error(f"{type(error).__name__}: {error}; please report this")
+        output.print_error(output.defect(error))
     finally:
-        terminal.stop_listening()
+        stop.ignore()
     return ERROR
 
 
-def _run(typed: list[str]) -> int:
+def _run(typed: list[str], stop: StopRequests) -> int:
     from .parser import parse
-    from .tasks import requests_of
+    from .tasks import tasks_of
 
     arguments = parse(typed)
-    requests = requests_of(arguments)
-    # Only now: a prompt for the secret ends at once.
-    terminal.catch_signals((signal.SIGINT, signal.SIGTERM, signal.SIGHUP))
-    if len(requests) > 1:
-        from .batch import run_all
+    tasks = tasks_of(arguments)
+    stop.listen()  # not before: Control-C ends the prompt for a secret at once
+    results: list[dict[str, Any]] = []
+    with display(tasks[0].draws), ProgressBar(arguments.command) as bar:
 
-        return run_all(requests, arguments.jobs, arguments.json)
-    with terminal.display(arguments.command == "report"):
-        return terminal.in_child(requests[0], lambda: _run_one(requests[0], arguments.json), ERROR)
+        def take(task, result: dict[str, Any]) -> None:
+            bar.clear()
+            output.print_result(task, result, arguments.json)
+            results.append(result)
 
-
-def _run_one(request: dict, as_json: bool) -> int:
-    from .commands import run
-
-    with terminal.progress(request) as show:
-        result = run(request, show)
-    terminal.say(request, result, as_json)
-    return code_of(result)
+        run_each(tasks, getattr(arguments, "jobs", 1), stop, bar.show, take)
+    if len(tasks) > 1:
+        output.print_summary(arguments.command, results)
+    return max(map(_exit_code, results))
 
 
-def code_of(result: dict) -> int:
-    """The exit code that one mesh's result stands for."""
+def _exit_code(result: dict[str, Any]) -> int:
     if "error" in result:
         return ERROR
     return DONE if result.get("found", True) else NOT_FOUND

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a mesh is made of."""
+"""Mesh statistics."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TypedDict
 
 from spectralwatermark import vtkSpectralWatermarkEmbed
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -17,8 +18,23 @@ from vtkmodules.vtkFiltersCore import (
 )
 
 
-def describe(mesh: vtkPolyData) -> dict:
-    """Counts, sizes, and whether the surface is closed. Points at the same place count as one, as
+class Statistics(TypedDict):
+    points: int
+    polygons: int
+    vertices: int
+    triangles: int
+    components: int
+    open_edges: int
+    non_manifold_edges: int
+    size: list[float]
+    diagonal: float
+    area: float
+    volume: float | None  # None for an open surface
+    arrays: list[str]
+
+
+def describe(mesh: vtkPolyData) -> Statistics:
+    """Counts, sizes, and whether the surface is closed. Points at the same place count as one vertex, as
     they do for the filters."""
     triangles = vtkTriangleFilter()
     triangles.SetInputData(mesh)
@@ -53,6 +69,7 @@ def describe(mesh: vtkPolyData) -> dict:
 
 
 def _edges(surface: vtkPolyData, kind: str) -> int:
+    """The number of edges of one kind of vtkFeatureEdges."""
     edges = vtkFeatureEdges()
     edges.SetInputData(surface)
     for each in ("BoundaryEdges", "NonManifoldEdges", "FeatureEdges", "ManifoldEdges"):
@@ -62,7 +79,7 @@ def _edges(surface: vtkPolyData, kind: str) -> int:
 
 
 def capacity_of(mesh: vtkPolyData, distortion: float, run: Callable[[vtkAlgorithm], object]) -> int:
-    """The longest message, in bits, that fits at this distortion."""
+    """The length in bits of the longest message that fits at this distortion."""
     embed = vtkSpectralWatermarkEmbed()
     embed.SetInputData(mesh)
     embed.SetMessage("1")

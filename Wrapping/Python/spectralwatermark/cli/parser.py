@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What can be typed."""
+"""The options, and the help that explains them by example."""
 
 from __future__ import annotations
 
@@ -10,28 +10,29 @@ import re
 from difflib import get_close_matches
 from typing import NoReturn
 
+from ..attacks import ATTACKS, Attack
+from .output import PROGRAM, UserError, print_text
 from .secret import VARIABLE
-from .terminal import PROGRAM, UserError, print_text
 
-DESCRIPTION = "Hides a mark in 3D models, and proves later from a copy alone whose it is."
+DESCRIPTION = "Embeds invisible watermarks in 3D models, and proves from a copy alone whose model it is."
 
 COMMANDS = {
-    "embed": "hide a mark in meshes",
-    "detect": "read meshes, and say whose they are",
-    "attack": "do to a mesh what happens to meshes",
-    "compare": "how far two meshes are apart",
-    "harmonics": "the mesh's own waves, and its spectrum",
-    "info": "what meshes are made of",
-    "report": "a page that shows what a mark is worth",
+    "embed": "embed a mark in meshes",
+    "detect": "read the mark of meshes and tell whose they are",
+    "attack": "apply attacks (noise, simplification, remeshing, ...)",
+    "compare": "measure how far two meshes are apart",
+    "harmonics": "compute manifold harmonics and the spectrum",
+    "info": "show mesh statistics",
+    "report": "write a page that shows what a mark survives",
 }
 
 OVERVIEW = f"""\
-A first time:
-  head -c 32 /dev/urandom | base64 > my.key        a secret: keep it
+Getting started:
+  head -c 32 /dev/urandom | base64 > my.key          a secret key: keep it
   {PROGRAM} embed model.ply marked.ply --key-file my.key
   {PROGRAM} detect copy.obj --key-file my.key        prints "mine" or "not mine"
 
-What a mark survives:
+Trying what a mark survives:
   {PROGRAM} attack marked.ply attacked.ply --noise 0.3 --simplify 50
   {PROGRAM} detect attacked.ply --key-file my.key
   {PROGRAM} compare model.ply marked.ply             how far the surface moved
@@ -40,75 +41,77 @@ Many files:
   {PROGRAM} embed *.ply --output-dir marked --key-file my.key --jobs 2
   {PROGRAM} detect marked/*.ply --key-file my.key --json
 
-Files are PLY, OBJ, STL and VTP, and OFF to read. The secret comes from --key-file, from the environment
+Files: PLY, OBJ, STL and VTP; OFF can be read only. The secret comes from --key-file, from the environment
 variable {VARIABLE}, or from a prompt (--ask-key).
-Exit codes: 0 done or found, 1 not found, 2 error (nothing was written)."""
+Exit codes: 0 done or found, 1 not found, 2 error (nothing was written for that file)."""
 
 EMBED = f"""\
-Hides bits in a mesh that encloses a volume, reads them back from the points as the file will hold
-them, and only then writes the file. With a secret and no message, the bits are derived from the secret: there is
-nothing else to remember.
+Embeds bits in a mesh that encloses a volume. The mark is read back from the points as the file will hold
+them; only then is the file written. With a secret and no message, the bits are derived from the secret, so
+the secret is all you need to keep.
 
   {PROGRAM} embed model.ply marked.ply --key-file my.key
   {PROGRAM} embed model.ply marked.ply --key-file my.key --distortion 0.02
-  {PROGRAM} embed model.stl marked.stl --text "(c) ACME"     for everyone to read
+  {PROGRAM} embed model.stl marked.stl --text "(c) ACME"     anyone can read this
   {PROGRAM} embed *.obj --output-dir marked --key-file my.key --jobs 2"""
 
 DETECT = f"""\
-Reads a mesh, blind, and says how likely chance would agree as well: the p-value.
-With a secret it answers "mine" or "not mine"; with --message or --text whether it carries that one;
-with neither (or with --read) it reads what there is, and "found" means that the mark's own check
-holds.
+Reads the mark from a mesh alone, without the original, and prints the p-value: the probability that a mesh
+without this mark agrees as well by chance.
+
+With a secret the answer is "mine" or "not mine". With --message or --text it is whether the mesh carries
+that message. With neither, or with --read, the bits are read, and "found" means that they pass the mark's
+own check.
 
   {PROGRAM} detect copy.ply --key-file my.key
   {PROGRAM} detect copy.ply --text "(c) ACME"
-  {PROGRAM} detect copy.ply --bits 64                          reads a mark made without a secret
+  {PROGRAM} detect copy.ply --bits 64                          a mark made without a secret
   {PROGRAM} detect *.ply --key-file my.key --json --jobs 2
 
-Exit code 0: found (in every file), 1: not found, 2: error."""
+Exit codes: 0 found in every file, 1 not found in some file, 2 error."""
 
 ATTACK = f"""\
-Does to a mesh what happens to meshes, in the order in which you write it.
+Applies attacks to a mesh, in the order in which they are given. An attack can be given several times.
 
   {PROGRAM} attack marked.ply out.ply --noise 0.3
   {PROGRAM} attack marked.ply out.ply --similarity --simplify 50 --quantize 10
-  {PROGRAM} attack marked.ply out.ply --noise 0.3 --seed 7     other noise"""
+  {PROGRAM} attack marked.ply out.ply --noise 0.3 --seed 7     different noise"""
 
 COMPARE = f"""\
-How far two surfaces are apart, whatever their triangles, in percent of the first one's bounding-box
-diagonal, and how visible that is (MSDM2: 0 not at all, 1 entirely).
+Measures the distance between two surfaces, whatever their triangles, in percent of the first one's
+bounding-box diagonal, and how visible the difference is (MSDM2: 0 not at all, 1 entirely).
 
   {PROGRAM} compare model.ply marked.ply
   {PROGRAM} compare model.ply marked.ply --output differences.vtp   to colour it in ParaView"""
 
 HARMONICS = f"""\
-The mesh's manifold harmonics: the basis as arrays of a VTP file, or eigenvalues and spectrum as CSV.
+Computes the mesh's manifold harmonics, the eigenfunctions of its Laplace operator. Writes the basis as
+arrays of a VTP file, or eigenvalues and spectrum as CSV.
 
   {PROGRAM} harmonics model.ply basis.vtp --number 200
   {PROGRAM} harmonics model.ply spectrum.csv"""
 
 INFO = f"""\
-What a mesh is made of, and with --capacity how many bits it can hold.
+Shows the mesh's statistics and, with --capacity, how many bits it can hold.
 
   {PROGRAM} info model.ply
   {PROGRAM} info model.ply --capacity"""
 
-
 REPORT = f"""\
-Attacks a marked mesh in many ways, reads every copy and writes one HTML page, with pictures from several
-sides, what was changed, and what the mark survives: to send along, or to keep. The secret is not in it.
-It draws, and so needs a display, or Debian's xvfb and libgl1-mesa-dri.
+Attacks a marked mesh in many ways, reads every attacked copy, and writes one HTML page: pictures from
+several sides, what was changed, and what the mark survives. The page does not contain the secret.
+Drawing needs a display, or Debian's xvfb and libgl1-mesa-dri.
 
   {PROGRAM} report model.ply marked.ply report.html --key-file my.key
   {PROGRAM} report model.ply marked.ply report.html --text "(c) ACME\""""
 
-# How shtab, which makes the completion files, is told that an argument names a file.
+# Tells shtab, which generates the completion files, that an argument names a file.
 FILE = {"bash": "_shtab_compgen_files", "zsh": "_files", "tcsh": "f"}
 
 
 class _Parser(argparse.ArgumentParser):
     def __init__(self, **more):
-        super().__init__(allow_abbrev=False, **more)  # or --key would be --key-file
+        super().__init__(allow_abbrev=False, **more)  # or --key would stand for --key-file
 
     def error(self, message: str) -> NoReturn:
         raise UserError(f"{message}; see {self.prog} --help")
@@ -122,7 +125,7 @@ class _InOrder(argparse.Action):
 
     def __call__(self, parser, namespace, values, option_string=None):
         steps = list(namespace.steps or [])
-        steps.append((self.const, values))
+        steps.append((self.const, None if self.nargs == 0 else values))
         namespace.steps = steps
 
 
@@ -137,7 +140,7 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     elif rest:
         known = parsed.parser.format_help().split()
         meant = get_close_matches(rest[0], {word.strip("[],") for word in known if "--" in word}, 1)
-        parsed.parser.error(f"{rest[0]} is not known here" +
+        parsed.parser.error(f"unknown option or argument {rest[0]}" +
                             (f": did you mean {meant[0]}?" if meant else ""))
     return parsed
 
@@ -148,13 +151,8 @@ def build_parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action=_Version, nargs=0, help="print the version")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True,
                                      parser_class=_Parser)
-    _add_embed(commands)
-    _add_detect(commands)
-    _add_attack(commands)
-    _add_compare(commands)
-    _add_harmonics(commands)
-    _add_info(commands)
-    _add_report(commands)
+    for add in (_add_embed, _add_detect, _add_attack, _add_compare, _add_harmonics, _add_info, _add_report):
+        add(commands)
     return parser
 
 
@@ -176,14 +174,14 @@ def _add_embed(commands) -> None:
     _add_paths(parser, "IN and OUT, or the files to mark")
     _add_many(parser)
     parser.add_argument("--output-dir", metavar="FOLDER",
-                        help="where marked files go, under their own names; those that are there "
-                             "already are skipped, so that an interrupted run goes on")
-    parser.add_argument("--force", action="store_true", help="replace files that are there already")
+                        help="write the marked files there, under their own names; files that already exist "
+                             "there are skipped, so that an interrupted run can be resumed")
+    parser.add_argument("--force", action="store_true", help="overwrite files that already exist")
     _add_message(parser, "to embed")
     _add_scheme(parser)
     parser.add_argument("--distortion", type=_percent, default=0.07, metavar="PERCENT",
-                        help="how far the surface may move, in root mean square, of the diagonal "
-                             "(default: %(default)s)")
+                        help="how far the surface may move: the root mean square distance in percent of the "
+                             "bounding-box diagonal (default: %(default)s)")
     _add_secret(parser)
     _add_common(parser)
 
@@ -195,48 +193,31 @@ def _add_detect(commands) -> None:
     _add_many(parser)
     _add_message(parser, "to look for")
     parser.add_argument("--read", action="store_true",
-                        help="with a secret: read what there is, instead of looking for the bits "
-                             "derived from the secret")
+                        help="with a secret: read the bits, instead of looking for those derived from the secret")
     _add_scheme(parser)
     _add_rate(parser)
     _add_secret(parser)
     _add_common(parser)
 
 
-ATTACKS = (
-    ("similarity", 0, None, "turn, scale and move at random"),
-    ("rotate", 1, "DEGREES", "turn about the z axis"),
-    ("scale", 1, "FACTOR", "scale"),
-    ("translate", 3, ("X", "Y", "Z"), "move"),
-    ("stretch", 3, ("X", "Y", "Z"), "scale each axis by its own factor"),
-    ("noise", 1, "PERCENT", "uniform noise on each coordinate, in percent of the mean distance to the "
-                            "centre"),
-    ("noise-along-normals", 1, "S", "the paper's noise"),
-    ("smooth", 1, "TIMES", "Laplacian smoothing with factor 0.1"),
-    ("low-pass", 1, "M", "keep only the first M manifold harmonics"),
-    ("quantize", 1, "BITS", "round coordinates to 2^BITS levels of the bounding box"),
-    ("simplify", 1, "PERCENT", "remove that share of the edges"),
-    ("subdivide", 1, "SCHEME", "midpoint, loop or sqrt3"),
-    ("remesh", 1, "PERCENT", "resample the surface to that share of the vertices"),
-    ("isosurface", 1, "STEPS", "resample through a volume of that many steps"),
-    ("crop", 1, "PERCENT", "cut off that share of the vertices"),
-    ("shuffle", 0, None, "reorder vertices and triangles"),
-)
-
-
 def _add_attack(commands) -> None:
     parser = _command(commands, "attack", ATTACK,
                       usage=f"{PROGRAM} attack [options] IN OUT")
     _add_in_and_out(parser, "OUT")
-    for name, values, metavar, text in ATTACKS:
-        types = {"subdivide": str, "smooth": _integer, "low-pass": _integer, "quantize": _integer,
-                 "isosurface": _integer}
-        kwargs = {"metavar": metavar, "type": types.get(name, _finite)} if values else {}
-        nargs = None if values == 1 else values
-        parser.add_argument(f"--{name}", dest="steps", action=_InOrder, const=name, nargs=nargs,
-                            help=text, **kwargs)
-    parser.add_argument("--seed", type=_integer, default=0, help="of all that is random (default: 0)")
+    for attack in ATTACKS.values():
+        parser.add_argument(f"--{attack.name}", dest="steps", action=_InOrder, const=attack.name,
+                            help=attack.help, **_value_of(attack))
+    parser.add_argument("--seed", type=_integer, default=0, metavar="N", help="the seed of all random attacks "
+                        "(default: %(default)s)")
     _add_common(parser)
+
+
+def _value_of(attack: Attack) -> dict:
+    """What argparse is told of the option's value."""
+    if not attack.property:
+        return {"nargs": 0}
+    count = len(attack.metavar) if isinstance(attack.metavar, tuple) else None
+    return {"nargs": count, "metavar": attack.metavar, "type": {int: _integer, float: _finite, str: str}[attack.type]}
 
 
 def _add_compare(commands) -> None:
@@ -245,8 +226,8 @@ def _add_compare(commands) -> None:
     parser.add_argument("reference", metavar="REFERENCE").complete = FILE
     parser.add_argument("other", metavar="OTHER").complete = FILE
     parser.add_argument("--output", metavar="FILE.vtp",
-                        help="the other mesh with what differs at each point")
-    parser.add_argument("--force", action="store_true", help="replace a file that is there already")
+                        help="write OTHER with the differences at its points")
+    parser.add_argument("--force", action="store_true", help="overwrite a file that already exists")
     _add_common(parser)
 
 
@@ -255,7 +236,7 @@ def _add_harmonics(commands) -> None:
                       usage=f"{PROGRAM} harmonics [options] IN OUT.vtp|OUT.csv")
     _add_in_and_out(parser, "OUT.vtp|OUT.csv")
     parser.add_argument("--number", type=_count, default=100, metavar="M",
-                        help="how many, the constant one among them (default: %(default)s)")
+                        help="how many, including the constant one (default: %(default)s)")
     _add_common(parser)
 
 
@@ -265,10 +246,10 @@ def _add_info(commands) -> None:
     _add_paths(parser, "PLY, OBJ, STL, VTP or OFF")
     _add_many(parser)
     parser.add_argument("--capacity", action="store_true",
-                        help="measure how many bits it can hold, up to 1024: the more they are, the longer it "
-                             "takes (many minutes where hundreds fit; lower --distortion to see sooner)")
+                        help="measure how many bits the mesh can hold, up to 1024; this takes many minutes "
+                             "where hundreds fit, and less with a lower --distortion")
     parser.add_argument("--distortion", type=_percent, default=0.07, metavar="PERCENT",
-                        help="for --capacity (default: %(default)s)")
+                        help="how far the surface may move, for --capacity; see embed --help (default: %(default)s)")
     _add_common(parser)
 
 
@@ -278,8 +259,8 @@ def _add_report(commands) -> None:
     parser.add_argument("input", metavar="ORIGINAL").complete = FILE
     parser.add_argument("marked", metavar="MARKED").complete = FILE
     parser.add_argument("output", metavar="OUT.html").complete = FILE
-    parser.add_argument("--force", action="store_true", help="replace a file that is there already")
-    parser.add_argument("--title", default="A protected model", help="of the page")
+    parser.add_argument("--force", action="store_true", help="overwrite a file that already exists")
+    parser.add_argument("--title", default="A protected model", help="the title of the page (default: %(default)s)")
     _add_message(parser, "to look for")
     _add_scheme(parser)
     _add_rate(parser)
@@ -287,13 +268,13 @@ def _add_report(commands) -> None:
     _add_common(parser)
 
 
-# --- What commands share -------------------------------------------------------------------------
+# --- Shared by several commands ------------------------------------------------------------------
 
 
 def _command(commands, name: str, description: str, **more) -> argparse.ArgumentParser:
     parser = commands.add_parser(name, help=COMMANDS[name], description=description,
                                  formatter_class=argparse.RawDescriptionHelpFormatter, **more)
-    parser.set_defaults(parser=parser)  # whose help errors point to
+    parser.set_defaults(parser=parser)  # errors point to its help
     return parser
 
 
@@ -304,7 +285,7 @@ def _add_paths(parser, text: str) -> None:
 def _add_in_and_out(parser, out: str) -> None:
     parser.add_argument("input", metavar="IN").complete = FILE
     parser.add_argument("output", metavar=out).complete = FILE
-    parser.add_argument("--force", action="store_true", help="replace a file that is there already")
+    parser.add_argument("--force", action="store_true", help="overwrite a file that already exists")
 
 
 def _add_message(parser, what: str) -> None:
@@ -312,12 +293,12 @@ def _add_message(parser, what: str) -> None:
     message.add_argument("--message", type=_bits, metavar="BITS", help=f"the bits {what}, such as 10110")
     message.add_argument("--text", type=_text, help=f"the text {what}, 8 bits for each byte of UTF-8")
     message.add_argument("--bits", type=_count, metavar="N",
-                         help="how many, where no message says it (default: 64; paper: 5)")
+                         help="how many bits, when no message is given (default: 64; paper: 5)")
 
 
 def _add_scheme(parser) -> None:
     parser.add_argument("--scheme", choices=("robust", "paper"), default="robust",
-                        help="robust (default), or the paper's slots: any surface, few bits")
+                        help="robust (default), or the paper's scheme: any surface, but few bits")
 
 
 def _add_secret(parser) -> None:
@@ -327,7 +308,7 @@ def _add_secret(parser) -> None:
                         ).complete = FILE
     secret.add_argument("--ask-key", action="store_true", help="ask for the secret on the terminal")
     secret.add_argument("--no-key", action="store_true",
-                        help="no secret, also where the environment has one")
+                        help="use no secret, even if the environment has one")
 
 
 def _add_rate(parser) -> None:
@@ -337,12 +318,12 @@ def _add_rate(parser) -> None:
 
 def _add_many(parser) -> None:
     parser.add_argument("--jobs", type=_count, default=1, metavar="N",
-                        help="how many files at once (default: %(default)s)")
+                        help="how many files to process at once (default: %(default)s)")
 
 
 def _add_common(parser) -> None:
     parser.add_argument("--threads", type=_count, default=os.cpu_count(), metavar="N",
-                        help="of each file (default: one a core, shared among the jobs)")
+                        help="the number of threads, shared among the jobs (default: one per core)")
     parser.add_argument("--json", action="store_true", help="print one JSON object for each file")
 
 
@@ -363,7 +344,7 @@ def _text(text: str) -> str:
 
 def _count(text: str) -> int:
     if not re.fullmatch("[0-9]{1,10}", text) or not 1 <= int(text) < 2**31:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 1 on, or too large")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number of at least 1, or too large")
     return int(text)
 
 
@@ -372,7 +353,7 @@ def _integer(text: str) -> int:
         value = int(text)
     except ValueError:
         value = 2**31
-    if not -(2**31) <= value < 2**31 - 1000:  # the steps of an attack count on from the seed
+    if not -(2**31) <= value < 2**31 - 1000:  # each step of an attack adds 1 to the seed
         raise argparse.ArgumentTypeError(f"{text!r} is not a whole number, or too large")
     return value
 
@@ -407,5 +388,5 @@ def _percent(text: str) -> float:
 def _share(text: str) -> float:
     value = _positive(text)
     if value > 1.0:
-        raise argparse.ArgumentTypeError(f"{text!r} is not above 0 and up to 1")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number above 0 and at most 1")
     return value

@@ -1,42 +1,53 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the secret comes from: a file, the environment or a prompt, never the argument list."""
+"""The secret comes from a file, the environment or a prompt, never from the argument list."""
 
 from __future__ import annotations
 
 import getpass
 import os
 import sys
+from argparse import Namespace
+from dataclasses import dataclass, field
 
-from .terminal import UserError
+from .output import UserError
 
 VARIABLE = "SPECTRAL_WATERMARK_KEY"
 
+ANY_BYTES = "put a secret of any bytes into a file (--key-file)"
 
-def secret_of(arguments) -> dict[str, str]:
-    """{"key_file": path}, {"key": text}, or {} without a secret. What is asked for by name goes
-    before the environment."""
+
+@dataclass(frozen=True)
+class Secret:
+    """A secret, or the file that holds it, or neither."""
+
+    key: str = field(default="", repr=False)
+    key_file: str = ""
+
+    def is_given(self) -> bool:
+        return bool(self.key or self.key_file)
+
+
+def secret_of(arguments: Namespace) -> Secret:
+    """The environment comes last: an option takes precedence."""
     given = [name for name, value in (("--key-file", arguments.key_file is not None),
                                       ("--ask-key", arguments.ask_key), ("--no-key", arguments.no_key))
              if value]
     if len(given) > 1:
         raise UserError(f"{' and '.join(given)} are given together: only one secret can be used")
     if arguments.no_key:
-        return {}
-    if arguments.key_file == "":  # a shell variable that is not set: no secret would mark publicly
+        return Secret()
+    if arguments.key_file == "":  # from an unset shell variable; without a secret, the mark would be public
         raise UserError("--key-file is empty: name the file that holds the secret")
     if arguments.key_file is not None:
-        return {"key_file": arguments.key_file}
+        return Secret(key_file=arguments.key_file)
     if arguments.ask_key:
-        return {"key": _ask(twice=arguments.command == "embed")}
+        return Secret(key=_ask(twice=arguments.command == "embed"))
     if VARIABLE in os.environ:
         if not os.environ[VARIABLE]:
             raise UserError(f"{VARIABLE} is set, but empty: unset it, or put the secret into it")
         encoded(os.environ[VARIABLE], VARIABLE)
-        return {"key": os.environ[VARIABLE]}
-    return {}
-
-
-ANY_BYTES = "put a secret of any bytes into a file (--key-file)"
+        return Secret(key=os.environ[VARIABLE])
+    return Secret()
 
 
 def encoded(text: str, what: str, advice: str = ANY_BYTES) -> bytes:

@@ -1,56 +1,87 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether a VTP file holds what its XML says: VTK 9.1 crashes on many that do not.
+"""VTP files.
 
-It takes numbers of points, and where arrays are and how long, on trust: it aborts when they ask for more
-memory than there is, and reads beyond the end of what a shorter array holds.
+VTK 9.1 trusts the numbers of points and cells, and the places and lengths of arrays, in the file's
+XML. It aborts when they ask for more memory than there is, and reads beyond the end of shorter
+arrays. So the file is compared with its XML before VTK reads it.
+
+meshio has no reader for VTP.
 """
 
 from __future__ import annotations
 
 import base64
 import binascii
+import os
 import re
 import xml.etree.ElementTree as ElementTree
 import zlib
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-NOT_WHOLE = "its binary part is cut off or was copied as text; copy or export it again"
+from .errors import MeshFileError
+from .vtk_execution import run_reader, run_writer
+
+# See memory.py.
+MEMORY_PER_BYTE = 4.0
+
+_NOT_WHOLE = "its binary part was cut off or copied as text; copy or export it again"
 
 _TYPES = {"Int8": "i1", "UInt8": "u1", "Int16": "i2", "UInt16": "u2", "Int32": "i4", "UInt32": "u4",
           "Int64": "i8", "UInt64": "u8", "Float32": "f4", "Float64": "f8"}
 _CELLS = ("Verts", "Lines", "Strips", "Polys")
-_ZLIB_RATIO = 1032  # no compressed file holds more bytes for one of its own
+# zlib compresses at most this many bytes into one.
+_ZLIB_RATIO = 1032
 
 
-class Damaged(ValueError):
-    """What does not fit, in words."""
+def read(path: Path) -> vtkPolyData:
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+    check(path.read_bytes())
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(os.fsencode(path))
+    return run_reader(reader)
+
+
+def write(mesh: vtkPolyData, path: Path) -> None:
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+    writer = vtkXMLPolyDataWriter()
+    writer.SetDataModeToAppended()
+    writer.EncodeAppendedDataOff()
+    writer.SetCompressorTypeToZLib()
+    run_writer(writer, mesh, path)
 
 
 @dataclass
 class _File:
-    appended: bytes  # after the _
+    # The appended arrays, which follow an underscore.
+    appended: bytes
     appended_is_text: bool
-    order: str  # < or >
-    header: np.dtype  # of the numbers in front of an array
+    # The byte order: < or >.
+    order: str
+    # The type of the numbers in front of an array.
+    header: np.dtype
     is_compressed: bool
 
 
 def check(data: bytes) -> None:
-    """Raises Damaged."""
+    """Raises MeshFileError when an array is not what the XML says."""
     raw = re.search(rb"<AppendedData[^>]*>\s*(.)", data, re.DOTALL)
     text = data[:raw.start()] + b"</VTKFile>" if raw else data
     try:
         root = ElementTree.fromstring(text)
     except ElementTree.ParseError as error:
-        raise Damaged(f"its XML cannot be read: {error}") from None
+        raise MeshFileError(f"its XML cannot be read: {error}; copy or export it again") from None
     if raw and raw[1] != b"_":
-        raise Damaged(NOT_WHOLE)
+        raise MeshFileError(_NOT_WHOLE)
     file = _file_of(root, data, raw)
     for piece in root.iter("Piece"):
         _check_piece(piece, file, len(data))
-    # Arrays of the whole file say themselves how long they are.
+    # Each array of the whole file states its own length.
     for array in root.iterfind(".//FieldData/*"):
         _check_array(array, _count(array.get("NumberOfTuples", "1"), len(data)), file)
 
@@ -60,7 +91,8 @@ def _file_of(root: ElementTree.Element, data: bytes, raw: re.Match | None) -> _F
     size = "u8" if root.get("header_type") == "UInt64" else "u4"
     compressor = root.get("compressor", "")
     if compressor not in ("", "vtkZLibDataCompressor"):
-        raise Damaged(f"it is compressed by {compressor[:40]}, which is not supported; write it with zlib")
+        raise MeshFileError(f"its compressor {compressor[:40]} is not supported; "
+                            "save it with zlib compression")
     is_text = bool(raw) and b'"raw"' not in raw[0] and b"'raw'" not in raw[0]
     return _File(data[raw.end():] if raw else b"", is_text, order, np.dtype(order + size),
                  bool(compressor))
@@ -68,8 +100,8 @@ def _file_of(root: ElementTree.Element, data: bytes, raw: re.Match | None) -> _F
 
 def _count(text: str, file_size: int) -> int:
     if not re.fullmatch("[0-9]{1,15}", text) or int(text) > _ZLIB_RATIO * file_size:
-        raise Damaged(f"it names {text[:30]!r} of something, which a file of this size cannot have; copy or "
-                      "export it again")
+        raise MeshFileError(f"it claims a count of {text[:30]!r}, which a file of this size cannot "
+                            "have; copy or export it again")
     return int(text)
 
 
@@ -85,7 +117,7 @@ def _check_piece(piece: ElementTree.Element, file: _File, file_size: int) -> Non
         if not arrays and not counts[section]:
             continue
         if not {"connectivity", "offsets"} <= arrays.keys():
-            raise Damaged(f"its {section} are incomplete; export it again")
+            raise MeshFileError(f"its cell arrays {section} are incomplete; export it again")
         _check_cells(arrays, counts[section], file)
 
 
@@ -93,12 +125,12 @@ def _check_cells(arrays: dict, count: int, file: _File) -> None:
     offsets = _check_array(arrays["offsets"], count, file)
     ends = offsets.astype(np.int64) if offsets is not None else np.zeros(0, np.int64)
     if (np.diff(ends, prepend=0) < 0).any():
-        raise Damaged("its cells do not follow each other; copy or export it again")
+        raise MeshFileError("the offsets of its cells do not increase; copy or export it again")
     _check_array(arrays["connectivity"], int(ends[-1]) if len(ends) else 0, file)
 
 
 def _check_array(array: ElementTree.Element, tuples: int, file: _File) -> np.ndarray | None:
-    """The array's values, where it has numbers that say how many there must be."""
+    """Checks the array's length; returns its values if they are binary or text numbers."""
     form = array.get("format")
     wanted = tuples * _count(array.get("NumberOfComponents", "1"), 1 << 20)
     kind = _TYPES.get(array.get("type"))
@@ -110,11 +142,12 @@ def _check_array(array: ElementTree.Element, tuples: int, file: _File) -> np.nda
     elif form == "binary":
         content = _content("".join(array.itertext()).strip().encode(), True, file)
     else:
-        raise Damaged(f"an array is in the format {str(form)[:20]!r}, which is unknown; export it again")
-    if kind is None:  # text, or bits
+        raise MeshFileError(f"an array has the unknown format {str(form)[:20]!r}; export it again")
+    # The length of text and bits is not known.
+    if kind is None:
         return None
     if len(content) != wanted * np.dtype(kind).itemsize:
-        raise Damaged(NOT_WHOLE)
+        raise MeshFileError(_NOT_WHOLE)
     return np.frombuffer(content, np.dtype(file.order + kind))
 
 
@@ -123,40 +156,43 @@ def _check_text(array: ElementTree.Element, wanted: int, kind: str | None) -> np
     if kind is None:
         return None
     if len(words) < wanted:
-        raise Damaged("an array has fewer numbers than it should; was it cut off? export it again")
+        raise MeshFileError("an array has too few numbers; was it cut off? copy or export it again")
     try:
         return np.array([float(word) for word in words[:wanted]]).astype(kind)
     except (ValueError, OverflowError):
-        raise Damaged("an array holds what is no number; export it again") from None
+        raise MeshFileError("an array holds something that is not a number; export it "
+                            "again") from None
 
 
 def _content(source: bytes, is_text: bool, file: _File) -> bytes:
-    """The bytes of an array whose head is at the front of `source`."""
+    """The bytes of an array whose header is at the front of `source`."""
     size = file.header.itemsize
     (count,) = _numbers(source, is_text, 0, 1, file)
     if not file.is_compressed:
         return _bytes(source, is_text, 0, size + count)[size:]
-    # The number of blocks, the size of each, of the last (0: as the others), and of each when compressed.
     if count == 0:
         return b""
+    # The header holds the number of blocks, the size of a block, the size of the last block (0: as
+    # large as the others), and the compressed size of every block.
     head = _numbers(source, is_text, 0, 3 + count, file)
     block, last, sizes = head[1], head[2], head[3:]
-    if last > block:  # VTK divides by a block's size, and looks for blocks that are not there
-        raise Damaged(NOT_WHOLE)
+    # VTK would divide by a size of 0, and look for blocks that do not exist.
+    if last > block:
+        raise MeshFileError(_NOT_WHOLE)
     lengths = [block] * (count - 1) + [last or block]
     start = (3 + count) * size
-    if is_text:  # the head is a piece of base64 by itself
+    # The header is encoded on its own.
+    if is_text:
         source, start = source[-(-start // 3) * 4:], 0
     packed = _bytes(source, is_text, start, sum(sizes))
-    content = b"".join(_inflated(packed, at, packed_size, length) for at, packed_size, length in zip(
-        np.cumsum([0, *sizes]).tolist(), sizes, lengths))
-    return content
+    starts = np.cumsum([0, *sizes]).tolist()
+    return b"".join(_inflated(packed, *place) for place in zip(starts, sizes, lengths))
 
 
 def _numbers(source: bytes, is_text: bool, start: int, count: int, file: _File) -> list[int]:
     size = file.header.itemsize
     if count * size > len(source):
-        raise Damaged(NOT_WHOLE)
+        raise MeshFileError(_NOT_WHOLE)
     return np.frombuffer(_bytes(source, is_text, start, count * size), file.header).tolist()
 
 
@@ -168,9 +204,9 @@ def _bytes(source: bytes, is_text: bool, start: int, count: int) -> bytes:
         try:
             found = base64.b64decode(source[:-(-end // 3) * 4], validate=True)[start:end]
         except binascii.Error:
-            raise Damaged(NOT_WHOLE) from None
+            raise MeshFileError(_NOT_WHOLE) from None
     if len(found) != count:
-        raise Damaged(NOT_WHOLE)
+        raise MeshFileError(_NOT_WHOLE)
     return found
 
 
@@ -179,7 +215,7 @@ def _inflated(packed: bytes, at: int, packed_size: int, length: int) -> bytes:
         inflating = zlib.decompressobj()
         block = inflating.decompress(packed[at:at + packed_size], length + 1)
     except zlib.error:
-        raise Damaged(NOT_WHOLE) from None
+        raise MeshFileError(_NOT_WHOLE) from None
     if len(block) != length:
-        raise Damaged(NOT_WHOLE)
+        raise MeshFileError(_NOT_WHOLE)
     return block

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A page that shows what a mark is worth, to send along with a model: one HTML file, no others.
+"""A report on a marked model for its recipient: one HTML file that needs no others.
 
     from spectralwatermark import vtkSpectralWatermarkDetect
     from spectralwatermark.io import read_mesh
@@ -13,8 +13,8 @@
 
     write_report(read_mesh("model.ply"), read_mesh("marked.ply"), "report.html", detector)
 
-Importing this module needs a display: Debian's VTK draws through X, and a virtual one (xvfb-run) is
-enough.
+Importing this module needs Jinja2 and matplotlib. Drawing the meshes needs a display: Debian's VTK draws
+through X, and a virtual display (xvfb-run) is enough.
 """
 
 from __future__ import annotations
@@ -24,7 +24,6 @@ import os
 import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
-from html import escape
 from pathlib import Path
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -37,10 +36,16 @@ from .. import (
     vtkSpectralWatermarkDetect,
 )
 from ..attacks import attacks_on
-from . import charts, rendering
-from .html import STYLE, Cell, Line, table
-from ..io import write_file
 from ..execution import FilterError, update
+from ..io import write_file
+
+try:
+    from . import charts, pages, rendering
+except ModuleNotFoundError as error:
+    if error.name not in ("jinja2", "matplotlib"):
+        raise
+    raise ModuleNotFoundError(f"reports need the Python module {error.name} (Debian: apt install "
+                              f"python3-{error.name})", name=error.name) from None
 
 __all__ = ["write_report"]
 
@@ -52,7 +57,7 @@ IN_THE_CHART = ("noise, 0.5 %", "quantized to 8 bits", "simplification, 90 % of 
 
 @dataclass
 class Reading:
-    """What a copy reads."""
+    """What the detector reads from one copy."""
 
     name: str
     vertices: int
@@ -74,9 +79,9 @@ def write_report(
 ) -> list[Reading]:
     """Attacks the marked mesh, reads every copy and writes the page, whole or not at all.
 
-    detector() gives a detector that expects a message: derived from a secret, or given. The page does
-    not hold the secret. run(algorithm, what) updates a filter. A file that is there already stays unless
-    it is to be replaced. Raises FilterError and MeshFileError.
+    detector() gives a detector that expects a message: one derived from a secret, or a given one. The page
+    does not contain the secret. run(algorithm, what) updates a filter. An existing file is only overwritten if
+    replace is true. Raises FilterError and MeshFileError.
     """
     distortion = vtkMeshDistortion()
     distortion.SetInputData(0, original)
@@ -86,7 +91,7 @@ def write_report(
     spectra = [_harmonics_of(mesh, run) for mesh in (original, marked)]
 
     def write(partial: Path) -> None:
-        # Beside the page: into that folder one can write, which is not sure of the system's for such files.
+        # In the page's folder, which is writable; the system's folder for temporary files may not be.
         with tempfile.TemporaryDirectory(prefix=".", dir=partial.parent) as name:
             folder = Path(name)
             _draw(folder, original, marked, distortion, readings, spectra)
@@ -97,7 +102,7 @@ def write_report(
     return readings
 
 
-# --- Figures -------------------------------------------------------------------------------------
+# --- Readings ------------------------------------------------------------------------------------
 
 
 def _readings(original, marked, detector, run) -> list[Reading]:
@@ -154,7 +159,7 @@ def _draw(folder: Path, original, marked, distortion, readings, spectra) -> None
         columns=2, size=620,
         cameras=[rendering.view_of(percent, front, up) for _, front, up in (SIDES[0], SIDES[2])])
     charts.write_spectra(folder / "spectrum.png", *spectra)
-    if readings[0].carriers.GetColumnByName("Carrier") is not None:  # of the robust scheme
+    if readings[0].carriers.GetColumnByName("Carrier") is not None:  # only the robust scheme has carriers
         charts.write_carriers(folder / "carriers.png", [
             (row.name, row.carriers) for row in readings
             if row in (readings[0], readings[-1]) or row.name in IN_THE_CHART])
@@ -164,48 +169,8 @@ def _draw(folder: Path, original, marked, distortion, readings, spectra) -> None
 
 
 def _page(folder: Path, title: str, distortion: vtkMeshDistortion, readings: list[Reading]) -> str:
-    first, last = readings[0], readings[-1]
-    survived = sum(row.found for row in readings[1:-1])
-    verdict = "carries the mark" if first.found else "does NOT carry the mark"
-    body = [
-        f"<h1>{escape(title)}</h1>",
-        f'<p class="lead">The marked model {verdict}: {first.bits - first.wrong} of {first.bits} bits '
-        f"agree, and chance would agree as well with a probability of {first.p_value:.1e}. The mark is "
-        f"found after {survived} of {len(readings) - 2} attacks. In the unmarked original it is "
-        f"{'found' if last.found else 'not found'} (p = {last.p_value:.2g}).</p>",
-        "<h2>What one sees</h2>", _image(folder, "sides", "The original and the marked model"),
-        "<h2>What was changed</h2>",
-        table([["", ""]], _changes(distortion)),
-        _image(folder, "distortion", "Distance of the marked surface from the original"),
-        "<h2>What the mark survives</h2>", table(
-            [["attack", "vertices", "wrong bits", "p-value", "verdict"]],
-            [Line([escape(row.name), f"{row.vertices:,}", f"{row.wrong} of {row.bits}",
-                   f"{row.p_value:.1e}", Cell("found" if row.found else "not found",
-                                              "good" if row.found != (row is last) else "bad")])
-             for row in readings]),
-        "<p>The p-value is how likely a model that was never marked, or was marked under another key, "
-        "agrees as well by chance.</p>",
-        _image(folder, "carriers", "How firmly the carriers hold their bits"),
-        "<h2>The spectrum</h2>", _image(folder, "spectrum", "Spectrum before and after"),
-        "<p>The magnitudes of the first manifold harmonics: the waves that belong to this shape.</p>",
-    ]
-    return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{escape(title)}</title>'
-            f'\n<meta name="viewport" content="width=device-width"><style>{STYLE}</style></head>\n<body>\n'
-            + "\n".join(body) + "\n</body></html>\n")
-
-
-def _changes(distortion: vtkMeshDistortion) -> list[Line]:
-    return [
-        Line(["Root mean square distance between the surfaces (MRMS)",
-              f"{100.0 * distortion.GetMRMS():.4f} % of the diagonal"]),
-        Line(["Largest distance (Hausdorff)", f"{100.0 * distortion.GetHausdorff():.4f} %"]),
-        Line(["Visible distortion (MSDM2; 0: none, 1: everything)", f"{distortion.GetMSDM2():.3f}"]),
-    ]
-
-
-def _image(folder: Path, name: str, text: str) -> str:
-    file = folder / f"{name}.png"
-    if not file.exists():
-        return ""
-    data = base64.b64encode(file.read_bytes()).decode("ascii")
-    return f'<figure><img alt="{escape(text)}" src="data:image/png;base64,{data}"></figure>'
+    marked, *attacked, original = readings
+    pictures = {file.stem: base64.b64encode(file.read_bytes()).decode("ascii") for file in folder.glob("*.png")}
+    return pages.templates_of().get_template("report.html.j2").render(
+        title=title, distortion=distortion, marked=marked, attacked=attacked, original=original,
+        survived=sum(row.found for row in attacked), pictures=pictures)

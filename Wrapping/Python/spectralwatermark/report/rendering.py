@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of meshes side by side, drawn off screen with VTK.
 
-Importing this module needs a display: Debian's VTK draws through X, and a virtual one
-(xvfb-run) is enough.
+Drawing needs a display: Debian's VTK draws through X, and a virtual display (xvfb-run) is enough.
 """
 
 from __future__ import annotations
@@ -12,18 +11,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401 - registers the chart's device
 import vtkmodules.vtkRenderingFreeType  # noqa: F401 - registers text
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 - registers OpenGL
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartXY, vtkPlotPoints
-from vtkmodules.vtkCommonColor import vtkNamedColors
-from vtkmodules.vtkCommonCore import vtkDoubleArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
-from vtkmodules.vtkRenderingContext2D import vtkContextActor
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkCamera,
@@ -37,14 +31,14 @@ from vtkmodules.vtkRenderingCore import (
 
 TEXT_COLOUR = (0.15, 0.17, 0.2)
 CLAY = (0.86, 0.82, 0.76)
-CAPTION_HEIGHT = 0.14  # share of a panel that its caption gets
-BAR_HEIGHT = 0.15  # and its colour bar, in pictures that have one
-PANEL_ASPECT = 1.0 / (1.0 - CAPTION_HEIGHT)  # width by height of what is left, at the least
+CAPTION_HEIGHT = 0.14  # the caption's share of a panel's height
+BAR_HEIGHT = 0.15  # the colour bar's share, in pictures that have one
+PANEL_ASPECT = 1.0 / (1.0 - CAPTION_HEIGHT)  # smallest width by height of the room for the mesh
 
 
 @dataclass
 class Panel:
-    """One mesh of a picture: plain, or coloured by one component of a point array."""
+    """One mesh of a picture, plain or coloured by one component of a point array."""
 
     mesh: vtkPolyData
     caption: str
@@ -60,7 +54,7 @@ def diverging(limit: float) -> vtkColorTransferFunction:
 
 
 def heat(limit: float) -> vtkColorTransferFunction:
-    """Pale at 0 to dark red at the limit."""
+    """From pale at 0 to dark red at the limit."""
     steps = [(1.0, 0.97, 0.88), (0.99, 0.80, 0.50), (0.94, 0.48, 0.26), (0.70, 0.09, 0.12)]
     return _ramp([(limit * i / 3.0, *colour) for i, colour in enumerate(steps)])
 
@@ -78,7 +72,7 @@ def view_of(
     front: tuple[float, float, float] = (0.0, 0.0, 1.0),
     up: tuple[float, float, float] = (0.0, 1.0, 0.0),
 ) -> vtkCamera:
-    """A camera from the front, a little above and to the right, that the mesh just fills."""
+    """A camera in front of the mesh, a little above and to the right; the mesh just fills its view."""
     renderer = vtkRenderer()
     camera = renderer.GetActiveCamera()
     camera.SetViewUp(up)
@@ -97,8 +91,10 @@ def write_panels(
     path: Path, panels: list[Panel], columns: int, size: int, camera: vtkCamera | None = None,
     cameras: Sequence[vtkCamera] = (),
 ) -> None:
-    """Draws the panels in a grid, size pixels to a side each, seen by one camera or by one each if
-    given."""
+    """Draws the panels in a grid; each is size pixels wide and high.
+
+    One camera for all panels, one for each, or by default a view that fits each mesh.
+    """
     rows = -(-len(panels) // columns)
     window = _window(columns * size, rows * size)
     window.SetNumberOfLayers(2)
@@ -107,7 +103,7 @@ def write_panels(
         row, column = divmod(i, columns)
         left, right = column / columns, (column + 1) / columns
         low, high = 1.0 - (row + 1) / rows, 1.0 - row / rows
-        paper = vtkRenderer()  # white to the edge, also where no panel is left
+        paper = vtkRenderer()  # the white background, also where the grid has no panel
         paper.SetBackground(1.0, 1.0, 1.0)
         paper.SetViewport(left, low, right, high)
         window.AddRenderer(paper)
@@ -145,7 +141,7 @@ def _mesh_renderer(mapper: vtkPolyDataMapper, camera: vtkCamera) -> vtkRenderer:
 
 
 def _text_renderer(panel: Panel, mapper: vtkPolyDataMapper, size: int) -> vtkRenderer:
-    """What is written over the whole panel."""
+    """The caption and colour bar, drawn over the whole panel."""
     renderer = vtkRenderer()
     renderer.SetLayer(1)
     renderer.AddViewProp(_text(panel.caption, max(12, size // 24), 0.97))
@@ -159,7 +155,7 @@ def _mapper(panel: Panel) -> vtkPolyDataMapper:
     normals = vtkPolyDataNormals()
     normals.SetInputData(_coloured(panel))
     normals.SplittingOff()
-    normals.NonManifoldTraversalOff()  # its loops would turn whole patches over
+    normals.NonManifoldTraversalOff()  # traversing non-manifold edges would flip whole patches
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(normals.GetOutputPort())
     if panel.array is None:
@@ -173,7 +169,7 @@ def _mapper(panel: Panel) -> vtkPolyDataMapper:
 
 
 def _coloured(panel: Panel) -> vtkPolyData:
-    """The panel's mesh with the component to show as its only scalars."""
+    """A copy of the panel's mesh whose only scalars are the component to show."""
     mesh = vtkPolyData()
     mesh.SetPoints(panel.mesh.GetPoints())
     mesh.SetPolys(panel.mesh.GetPolys())
@@ -186,7 +182,7 @@ def _coloured(panel: Panel) -> vtkPolyData:
 
 
 def _text(text: str, font_size: int, top: float) -> vtkTextActor:
-    """Centred lines that begin at this height of the viewport."""
+    """Centred lines that begin at this height of the viewport, from 0 to 1."""
     actor = vtkTextActor()
     actor.SetInput(text)
     style = actor.GetTextProperty()
@@ -221,90 +217,6 @@ def _bar(mapper: vtkPolyDataMapper, size: int) -> vtkScalarBarActor:
     return bar
 
 
-def table_of(**columns: Sequence[float] | np.ndarray) -> vtkTable:
-    """Numbers for curves, a column for each name."""
-    table = vtkTable()
-    for name, values in columns.items():
-        column = numpy_to_vtk(np.asarray(values, dtype=float), deep=True)
-        column.SetName(name)
-        table.AddColumn(column)
-    return table
-
-
-@dataclass
-class Curve:
-    """One line or set of markers of a chart; columns by name."""
-
-    table: vtkTable
-    x: str
-    y: str
-    label: str
-    colour: str
-    markers_only: bool = False
-
-
-def write_chart(
-    path: Path,
-    curves: list[Curve],
-    title: str,
-    labels: tuple[str, str],
-    size: tuple[int, int] = (1200, 560),
-    logarithmic: bool = False,
-    whole_numbers: bool = False,
-    logarithmic_x: bool = False,
-) -> None:
-    """Draws curves over a common x axis, which can be one of counts."""
-    chart = vtkChartXY()
-    chart.SetTitle(title)
-    chart.GetTitleProperties().SetFontSize(20)
-    chart.SetShowLegend(True)
-    chart.GetLegend().SetLabelSize(16)
-    chart.GetLegend().SetInline(False)  # beside the plot, not over its curves
-    for position, label in zip((vtkAxis.BOTTOM, vtkAxis.LEFT), labels):
-        axis = chart.GetAxis(position)
-        axis.SetTitle(label)
-        axis.GetTitleProperties().SetFontSize(17)
-        axis.GetTitleProperties().BoldOff()
-        axis.GetLabelProperties().SetFontSize(15)
-        axis.GetGridPen().SetColorF(0.9, 0.9, 0.9)
-    chart.GetAxis(vtkAxis.LEFT).SetLogScale(logarithmic)
-    chart.GetAxis(vtkAxis.BOTTOM).SetLogScale(logarithmic_x)
-    if whole_numbers:
-        _tick_whole_numbers(chart.GetAxis(vtkAxis.BOTTOM), curves)
-    for curve in curves:
-        plot = chart.AddPlot(vtkChart.POINTS if curve.markers_only else vtkChart.LINE)
-        plot.SetInputData(curve.table, curve.x, curve.y)
-        plot.SetLabel(curve.label)
-        colour = vtkNamedColors().GetColor3ub(curve.colour)
-        plot.SetColor(colour.GetRed(), colour.GetGreen(), colour.GetBlue(), 255)
-        plot.SetWidth(2.0)
-        if curve.markers_only:
-            plot.SetMarkerStyle(vtkPlotPoints.CIRCLE)
-            plot.SetMarkerSize(11.0)
-
-    window = _window(*size)
-    renderer = vtkRenderer()
-    renderer.SetBackground(1.0, 1.0, 1.0)
-    actor = vtkContextActor()
-    actor.GetScene().AddItem(chart)
-    renderer.AddActor(actor)
-    actor.GetScene().SetRenderer(renderer)
-    window.AddRenderer(renderer)
-    _write(window, path)
-
-
-def _tick_whole_numbers(axis: vtkAxis, curves: list[Curve]) -> None:
-    columns = [vtk_to_numpy(curve.table.GetColumnByName(curve.x)) for curve in curves]
-    first = min(column.min() for column in columns)
-    last = max(column.max() for column in columns)
-    ticks = vtkDoubleArray()
-    for tick in range(int(first), int(last) + 1):
-        ticks.InsertNextValue(tick)
-    axis.SetBehavior(vtkAxis.FIXED)
-    axis.SetRange(float(first), max(float(last), float(first) + 1.0))
-    axis.SetCustomTickPositions(ticks)
-
-
 def _window(width: int, height: int) -> vtkRenderWindow:
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
@@ -320,9 +232,10 @@ def _write(window: vtkRenderWindow, path: Path) -> None:
     image.ReadFrontBufferOff()
     writer = vtkPNGWriter()
     writer.SetInputConnection(image.GetOutputPort())
-    writer.WriteToMemoryOn()  # to a full disk VTK would write nothing, and raise nothing
+    # VTK reports no error when the disk is full; Python does.
+    writer.WriteToMemoryOn()
     writer.Write()
-    # Written beside and renamed: a picture is there whole or not at all.
+    # Renaming a complete file makes sure that no partial picture is left.
     partial = path.with_suffix(".partial.png")
     partial.write_bytes(vtk_to_numpy(writer.GetResult()))
     partial.replace(path)
