@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any mesh, any properties: a clear error, or an output that keeps its promises (Fuzz/FilterCase.h). The
+// Any mesh, any properties: a clear error, or an output that keeps its promises (Support/FilterCase.h). The
 // fuzzers search for cases; these are a few hundred that anyone can run.
-#include "Fuzz/FilterCase.h"
+#include "Support/FilterCase.h"
 
 #include <gtest/gtest.h>
 

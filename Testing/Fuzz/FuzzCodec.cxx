@@ -6,8 +6,8 @@
 #include "Core/RobustScheme/CarrierSet.h"
 #include "Core/RobustScheme/FrameAlignment.h"
 #include "Core/Support/Errors.h"
-#include "Fuzz/Bytes.h"
 #include "Fuzz/Require.h"
+#include "Support/Bytes.h"
 
 #include <cmath>
 

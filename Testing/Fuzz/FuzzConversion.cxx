@@ -2,9 +2,9 @@
 // Any vtkPolyData into a mesh of the Core, and back.
 #include "Core/Mesh/TriangleMesh.h"
 #include "Core/Support/Errors.h"
-#include "Fuzz/RandomMesh.h"
 #include "Fuzz/Require.h"
 #include "Private/PolyDataMesh.h"
+#include "Support/RandomMesh.h"
 
 #include <vtkOutputWindow.h>
 #include <vtkPolyData.h>

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace pvalues
@@ -20,6 +21,26 @@ inline double UpperTail(int trials, double chance, int successes)
   {
     tail += std::exp(std::lgamma(trials + 1.0) - std::lgamma(k + 1.0) -
       std::lgamma(trials - k + 1.0) + k * std::log(chance) + (trials - k) * std::log1p(-chance));
+  }
+  return tail;
+}
+
+/// The probability of every set of agreements, added where it reaches the weight that was seen.
+inline double TailByEnumeration(const std::vector<double>& weights,
+  const std::vector<double>& probability, double reached)
+{
+  double tail = 0.0;
+  for (unsigned int set = 0; set < 1u << weights.size(); ++set)
+  {
+    double weight = 0.0;
+    double chance = 1.0;
+    for (std::size_t i = 0; i < weights.size(); ++i)
+    {
+      const bool agrees = (set >> i) % 2 == 1;
+      weight += agrees ? weights[i] : 0.0;
+      chance *= agrees ? probability[i] : 1.0 - probability[i];
+    }
+    tail += weight >= reached - 1e-9 ? chance : 0.0;
   }
   return tail;
 }

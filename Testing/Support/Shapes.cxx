@@ -26,15 +26,7 @@ TriangleMesh Assemble(const std::vector<Eigen::RowVector3d>& points,
   {
     mesh.Points.row(static_cast<Index>(i)) = points[i];
   }
-  mesh.Triangles.resize(static_cast<Index>(triangles.size()), 3);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      mesh.Triangles(static_cast<Index>(t), corner) =
-        triangles[t][static_cast<std::size_t>(corner)];
-    }
-  }
+  mesh.Triangles = spectralwatermark::ToTriangleMatrix(triangles);
   return mesh;
 }
 
@@ -242,6 +234,34 @@ TriangleMesh Union(const std::vector<TriangleMesh>& parts, double offset)
     }
   }
   return Assemble(points, triangles);
+}
+
+TriangleMesh Box(double a, double b, double c)
+{
+  TriangleMesh box;
+  box.Points.resize(8, 3);
+  box.Points << 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1;
+  box.Points = (box.Points.array() - 0.5).matrix() * Eigen::Vector3d(a, b, c).asDiagonal();
+  box.Triangles.resize(12, 3);
+  box.Triangles << 0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2,
+    2, 4, 6, 1, 3, 5, 3, 7, 5;
+  return box;
+}
+
+TriangleMesh PointsInARow(Index count, int power, const Eigen::RowVector3d& direction)
+{
+  TriangleMesh row;
+  row.Points.resize(count, 3);
+  row.Triangles.resize(count - 2, 3);
+  for (Index v = 0; v < count; ++v)
+  {
+    row.Points.row(v) = std::pow(static_cast<double>(v), power) * direction;
+  }
+  for (Index t = 0; t < count - 2; ++t)
+  {
+    row.Triangles.row(t) << t, t + 1, t + 2;
+  }
+  return row;
 }
 
 TriangleMesh WithTriangles(TriangleMesh mesh, const std::vector<Eigen::RowVector3d>& points,

@@ -34,6 +34,12 @@ TriangleMesh Bumpy(int level);
 /// The meshes beside each other as one, the k-th moved by k * offset along x.
 TriangleMesh Union(const std::vector<TriangleMesh>& parts, double offset);
 
+/// A box about the origin with these sides: twelve triangles.
+TriangleMesh Box(double a, double b, double c);
+
+/// Point k at k^power * direction, and a triangle of any three that follow one another: no area.
+TriangleMesh PointsInARow(Index count, int power, const Eigen::RowVector3d& direction);
+
 /// The mesh with further points, and triangles of any of its points: for degenerate cases.
 TriangleMesh WithTriangles(TriangleMesh mesh, const std::vector<Eigen::RowVector3d>& points,
   const std::vector<std::vector<Index>>& triangles);

@@ -50,14 +50,7 @@ TriangleMesh SubdivideOnce(const TriangleMesh& mesh)
       }
     }
   }
-  fine.Triangles.resize(triangles.size(), 3);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      fine.Triangles(t, corner) = triangles[t][corner];
-    }
-  }
+  fine.Triangles = ToTriangleMatrix(triangles);
   return fine;
 }
 

@@ -5,6 +5,9 @@
 
 #include "Core/Support/Types.h"
 
+#include <array>
+#include <vector>
+
 namespace spectralwatermark
 {
 
@@ -25,6 +28,9 @@ struct TriangleMesh
   /// The number of triangles, t.
   Index NumberOfTriangles() const { return this->Triangles.rows(); }
 };
+
+/// A list of triangles as the rows of a matrix.
+TriangleMesh::TriangleMatrix ToTriangleMatrix(const std::vector<std::array<Index, 3>>& triangles);
 
 /// Whether two meshes have the same number of vertices and the same triangles in the same order.
 bool SameTriangles(const TriangleMesh& a, const TriangleMesh& b);

@@ -136,7 +136,7 @@ SolidFrame FrameOf(const TriangleMesh& oriented)
   const std::optional<SolidFrame> frame = FrameIfAny(oriented);
   if (!frame)
   {
-    throw InvalidInput("",
+    throw InvalidInput("Scheme",
       "the surface encloses no volume, or is too open to have an inside, which the robust scheme "
       "needs",
       "close it, or use the paper's scheme");

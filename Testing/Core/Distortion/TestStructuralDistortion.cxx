@@ -4,11 +4,10 @@
 #include "Core/Mesh/Measures.h"
 #include "Support/Shapes.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <set>
 
 using namespace spectralwatermark;
 
@@ -48,51 +47,6 @@ Index NearestVertex(const TriangleMesh& mesh, const Eigen::RowVector3d& point)
 
 } // namespace
 
-TEST(BallNeighbourhood, AreThoseOfABruteForceSearch)
-{
-  const TriangleMesh mesh = shapes::Bumpy(3);
-  const BallNeighbourhood balls(mesh);
-  BallNeighbourhood::Workspace room = balls.MakeWorkspace();
-  const double radius = 0.4;
-  for (const Index centre : { Index(0), Index(17), Index(300) })
-  {
-    balls.Around(centre, radius, room);
-    const std::set<Index> inside(room.Inside.begin(), room.Inside.end());
-    EXPECT_EQ(inside.size(), room.Inside.size());
-    std::set<Index> expected;
-    for (Index v = 0; v < mesh.NumberOfVertices(); ++v)
-    {
-      if ((mesh.Points.row(v) - mesh.Points.row(centre)).norm() < radius)
-      {
-        expected.insert(v); // the surface is gentle enough for the ball to hold one piece of it
-      }
-    }
-    EXPECT_EQ(inside, expected);
-    std::set<Index> edges;
-    for (const BallNeighbourhood::ClippedEdge& piece : room.ClippedEdges)
-    {
-      EXPECT_TRUE(edges.insert(piece.Edge).second) << "an edge twice";
-      const Eigen::RowVector3d end = mesh.Points.row(piece.From) +
-        piece.Share * (mesh.Points.row(piece.To) - mesh.Points.row(piece.From));
-      const double distance = (end - mesh.Points.row(centre)).norm();
-      if (inside.count(piece.To) != 0)
-      {
-        EXPECT_EQ(piece.Share, 1.0);
-      }
-      else
-      {
-        EXPECT_NEAR(distance, radius, 1e-12);
-      }
-    }
-    for (std::size_t e = 0; e < balls.Edges().size(); ++e)
-    {
-      const bool touches =
-        inside.count(balls.Edges()[e].first) + inside.count(balls.Edges()[e].second) > 0;
-      EXPECT_EQ(touches, edges.count(static_cast<Index>(e)) == 1);
-    }
-  }
-}
-
 TEST(NormalCycleCurvature, VanishesOnAPlane)
 {
   const TriangleMesh mesh = shapes::Rectangle(12, 12, 1.0, 1.0);
@@ -101,7 +55,7 @@ TEST(NormalCycleCurvature, VanishesOnAPlane)
 
 // On a sharp right angle the tensor has one eigenvalue, pi / 2 times the edge's length 2 r over the
 // disc pi r^2: 1 / r. Half of it is the measure.
-TEST(NormalCycleCurvature, OfASharpEdge)
+TEST(NormalCycleCurvature, FollowsTheAngleOfASharpEdge)
 {
   const TriangleMesh mesh = Roof(10);
   const BallNeighbourhood balls(mesh);
@@ -114,7 +68,7 @@ TEST(NormalCycleCurvature, OfASharpEdge)
 
 // 1 / R on a sphere, 1 / (2 R) on a cylinder, where the ball holds many edges: the discs pi r^2 and
 // the balls' own surface differ by r^2 / (4 R^2) there, edges' ends by some percent.
-TEST(NormalCycleCurvature, OfRoundSurfaces)
+TEST(NormalCycleCurvature, IsTheCurvatureOfRoundSurfaces)
 {
   const double radius = 2.0;
   const TriangleMesh sphere = shapes::Icosphere(5, radius);
@@ -127,7 +81,7 @@ TEST(NormalCycleCurvature, OfRoundSurfaces)
   EXPECT_NEAR(NormalCycleCurvature(BallNeighbourhood(cylinder), 0.4, 2)[middle], 0.5, 0.03);
 }
 
-TEST(NormalCycleCurvature, DoesNotDependOnTurnedTriangles)
+TEST(NormalCycleCurvature, DoesNotDependOnOrientation)
 {
   TriangleMesh mesh = shapes::Icosphere(3);
   const Eigen::VectorXd before = NormalCycleCurvature(BallNeighbourhood(mesh), 0.3, 1);
@@ -136,7 +90,7 @@ TEST(NormalCycleCurvature, DoesNotDependOnTurnedTriangles)
 }
 
 // Curvatures a and b everywhere: only the means differ.
-TEST(LocalStructuralDistortion, OfConstants)
+TEST(LocalStructuralDistortion, ComparesMeansOfConstants)
 {
   const TriangleMesh mesh = shapes::Icosphere(2);
   const BallNeighbourhood balls(mesh);
@@ -156,7 +110,7 @@ TEST(LocalStructuralDistortion, OfConstants)
 
 // x against -x about a vertex at 0, in a window without weights: means 0, the same deviation s, and
 // covariance -s^2, so that S = 2 s^2 / (s^2 + 1).
-TEST(LocalStructuralDistortion, OfAMirroredSlope)
+TEST(LocalStructuralDistortion, ComparesCovarianceOfAMirroredSlope)
 {
   const TriangleMesh mesh = shapes::Rectangle(20, 20, 2.0, 2.0);
   const BallNeighbourhood balls(mesh);

@@ -2,14 +2,16 @@
 #include "Core/PaperScheme/SlotDetection.h"
 #include "Core/PaperScheme/Slots.h"
 #include "Core/Payload/BitAgreement.h"
-#include "Core/Payload/Bits.h"
 #include "Core/Support/Random.h"
+#include "Support/PValues.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace spectralwatermark;
+using pvalues::TailByEnumeration;
 
 namespace
 {
@@ -33,62 +35,10 @@ SlotOptions Keyed(std::size_t bits)
   return options;
 }
 
-// The probability of every set of agreements, added where it reaches the weight that was seen.
-double TailByEnumeration(const std::vector<double>& weights, const std::vector<double>& probability,
-  double reached)
-{
-  double tail = 0.0;
-  for (unsigned int set = 0; set < 1u << weights.size(); ++set)
-  {
-    double weight = 0.0;
-    double chance = 1.0;
-    for (std::size_t i = 0; i < weights.size(); ++i)
-    {
-      const bool agrees = (set >> i) % 2 == 1;
-      weight += agrees ? weights[i] : 0.0;
-      chance *= agrees ? probability[i] : 1.0 - probability[i];
-    }
-    tail += weight >= reached - 1e-9 ? chance : 0.0;
-  }
-  return tail;
-}
-
 } // namespace
 
-TEST(Detection, FairCoinsGiveTheBinomialTail)
-{
-  EXPECT_NEAR(AgreementPValue("10110", "10110", FairCoins), 1.0 / 32.0, 1e-15);
-  EXPECT_NEAR(AgreementPValue("10111", "10110", FairCoins), 6.0 / 32.0, 1e-14);
-  EXPECT_DOUBLE_EQ(AgreementPValue("01001", "10110", FairCoins), 1.0);
-  // 51 of 64 are needed for one in a million.
-  const std::string expected(64, '1');
-  const std::string agrees51 = std::string(51, '1') + std::string(13, '0');
-  const std::string agrees50 = std::string(50, '1') + std::string(14, '0');
-  EXPECT_LT(AgreementPValue(agrees51, expected, FairCoins), 1e-6);
-  EXPECT_GT(AgreementPValue(agrees50, expected, FairCoins), 1e-6);
-}
-
-TEST(Detection, UnfairBitsGiveThePoissonBinomialTail)
-{
-  const UnmarkedModel unfair{ 0.6, 0.52 };
-  const std::string expected = "1011001";
-  std::vector<double> probability;
-  for (const char bit : expected)
-  {
-    probability.push_back(bit == '1' ? 0.52 : 0.6);
-  }
-  const std::vector<double> ones(expected.size(), 1.0);
-  for (const char* read : { "1011001", "1111001", "0100110", "1010010" })
-  {
-    const auto agreements = static_cast<double>(CountAgreements(read, expected));
-    EXPECT_NEAR(AgreementPValue(read, expected, unfair),
-      TailByEnumeration(ones, probability, agreements), 1e-14)
-      << read;
-  }
-}
-
 // Without a key, 0 is the likelier: agreeing in zeros proves less than agreeing in ones.
-TEST(Detection, KeyMakesThePValueExactAndWithoutOneItIsLarger)
+TEST(SlotDetection, KeyMakesThePValueExactAndWithoutOneItIsLarger)
 {
   const UnmarkedModel keyed = UnmarkedModelOf(Keyed(5));
   EXPECT_EQ(keyed.ZeroAtMost, 0.5);
@@ -104,7 +54,7 @@ TEST(Detection, KeyMakesThePValueExactAndWithoutOneItIsLarger)
   }
 }
 
-TEST(Detection, WeightedTailAgreesWithEnumeration)
+TEST(SlotDetection, WeightedTailAgreesWithEnumeration)
 {
   std::vector<SlotReading> readings;
   for (const double relative : { 0.9, -0.5, 0.05, 0.4, -0.1, 1.7, -0.8 })
@@ -132,7 +82,7 @@ TEST(Detection, WeightedTailAgreesWithEnumeration)
 }
 
 // With equal evidence in every slot, weighing changes nothing.
-TEST(Detection, EqualWeightsAreHardDecisions)
+TEST(SlotDetection, EqualWeightsAreHardDecisions)
 {
   const std::vector<SlotReading> readings(6, Reading(0.5));
   EXPECT_NEAR(WeightedAgreementPValue(readings, Keyed(6), "111101"),
@@ -140,7 +90,7 @@ TEST(Detection, EqualWeightsAreHardDecisions)
 }
 
 // Over many fair messages, p <= alpha happens with probability alpha at most, for any readings.
-TEST(Detection, PValuesAreCalibratedUnderAKey)
+TEST(SlotDetection, PValuesAreCalibratedUnderAKey)
 {
   constexpr int bits = 24;
   constexpr int trials = 20000;
@@ -170,7 +120,7 @@ TEST(Detection, PValuesAreCalibratedUnderAKey)
 
 // Each density is one: its integral over the relative magnitude is 1, from 0 to where nothing is
 // left, but for the normal tail that the model has below a magnitude of 0.
-TEST(Detection, LikelihoodsAreDensities)
+TEST(SlotDetection, LikelihoodsAreDensities)
 {
   for (const BitEmbedding embedding : { BitEmbedding::Aggressive, BitEmbedding::NonAggressive })
   {
@@ -193,7 +143,7 @@ TEST(Detection, LikelihoodsAreDensities)
   }
 }
 
-TEST(Detection, EvidenceGrowsWithTheMarginAndFollowsTheKeystream)
+TEST(SlotDetection, EvidenceGrowsWithTheMarginAndFollowsTheKeystream)
 {
   const SlotOptions options;
   double previous = -100.0;
@@ -213,7 +163,7 @@ TEST(Detection, EvidenceGrowsWithTheMarginAndFollowsTheKeystream)
     LogLikelihoodRatio({ Reading(0.8) }, options, "1"));
 }
 
-TEST(Detection, ExtremeSlotsStayFinite)
+TEST(SlotDetection, ExtremeSlotsStayFinite)
 {
   SlotOptions options;
   options.TurbulenceFactor = 1000.0;

@@ -16,14 +16,14 @@
 
 using namespace spectralwatermark;
 
-TEST(MemoryLimit, SomethingIsFreeAndKnown)
+TEST(MemoryBudget, SomethingIsFreeAndKnown)
 {
   EXPECT_GT(AvailableMemory(), 0.0);
   EXPECT_TRUE(std::isfinite(AvailableMemory()));
   EXPECT_NO_THROW(RequireMemory(1e6, "these", "nothing"));
 }
 
-TEST(MemoryLimit, MoreThanAnyMachineHasIsRefused)
+TEST(MemoryBudget, MoreThanAnyMachineHasIsRefused)
 {
   const std::string text =
     coretesting::RefusalOf([] { RequireMemory(1.23e18, "a billion harmonics", "ask for fewer"); });
@@ -34,7 +34,7 @@ TEST(MemoryLimit, MoreThanAnyMachineHasIsRefused)
 }
 
 // More than 32 bits count: none are lost on the way to the text.
-TEST(MemoryLimit, TrianglesBeyondAnIntAreCounted)
+TEST(MemoryBudget, TrianglesBeyondAnIntAreCounted)
 {
   coretesting::ExpectRefusal([] { RequireMemoryForTriangles(Index{ 1 } << 40, 100.0); },
     "1099511627776 triangles need about 109951 GB of memory");
@@ -68,7 +68,7 @@ private:
 
 } // namespace
 
-TEST(MemoryLimit, ControlGroupsOfTheSecondVersion)
+TEST(MemoryBudget, ControlGroupsOfTheSecondVersionAreRead)
 {
   const Groups groups;
   groups.Write("/proc/self/cgroup", "0::/user/job\n");
@@ -87,7 +87,7 @@ TEST(MemoryLimit, ControlGroupsOfTheSecondVersion)
 }
 
 // In a container the path is that outside, and the container's group is the root.
-TEST(MemoryLimit, ControlGroupsOfTheFirstVersion)
+TEST(MemoryBudget, ControlGroupsOfTheFirstVersionAreRead)
 {
   const Groups groups;
   groups.Write("/proc/self/cgroup", "9:cpu,cpuacct:/box\n4:memory:/box/17\n0::/other\n");
@@ -100,7 +100,7 @@ TEST(MemoryLimit, ControlGroupsOfTheFirstVersion)
 #endif
 
 #ifndef SPECTRALWATERMARK_NO_ADDRESS_LIMIT
-TEST(MemoryLimit, TheLimitOfTheShellCounts)
+TEST(MemoryBudget, TheLimitOfTheShellCounts)
 {
   const AddressSpaceLimit limit(200e6);
   ASSERT_TRUE(limit.Holds());

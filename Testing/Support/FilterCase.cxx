@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Fuzz/FilterCase.h"
+#include "Support/FilterCase.h"
 
-#include "Fuzz/RandomMesh.h"
 #include "Support/FilterTesting.h"
+#include "Support/RandomMesh.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

@@ -3,7 +3,7 @@
 #ifndef SpectralWatermark_Testing_RandomMesh_h
 #define SpectralWatermark_Testing_RandomMesh_h
 
-#include "Fuzz/Bytes.h"
+#include "Support/Bytes.h"
 
 #include <vtkSmartPointer.h>
 

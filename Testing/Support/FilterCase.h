@@ -3,7 +3,7 @@
 #ifndef SpectralWatermark_Testing_FilterCase_h
 #define SpectralWatermark_Testing_FilterCase_h
 
-#include "Fuzz/Bytes.h"
+#include "Support/Bytes.h"
 
 #include <array>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Fuzz/RandomMesh.h"
+#include "Support/RandomMesh.h"
 
 #include "Support/FilterTesting.h"
 #include "Support/Shapes.h"
