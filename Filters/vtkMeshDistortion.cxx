@@ -88,9 +88,10 @@ struct vtkMeshDistortion::Surfaces
   {
     sw::PolyDataMesh before = sw::ToMesh(reference);
     sw::PolyDataMesh after = sw::ToMesh(distorted);
-    constexpr double bytesOfTriangle = 320.0; // at the peak, as measured
+    // The peak memory of the comparison. Testing/Benchmark/memory measures it.
+    constexpr double comparisonBytesPerTriangle = 320.0;
     sw::RequireMemoryForTriangles(before.Mesh.NumberOfTriangles() + after.Mesh.NumberOfTriangles(),
-      bytesOfTriangle);
+      comparisonBytesPerTriangle);
     return Surfaces(std::move(before), std::move(after));
   }
 

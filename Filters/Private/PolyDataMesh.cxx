@@ -257,9 +257,9 @@ PolyDataMesh ToMesh(vtkPolyData* input, CoincidentPoints coincident)
   {
     CheckCorners(cells, pointCount);
   }
-  // The peak memory of the conversion per polygon, as measured for triangles.
-  constexpr double bytesOfPolygon = 85.0;
-  RequireMemoryForTriangles(input->GetNumberOfPolys(), bytesOfPolygon);
+  // The peak memory of the conversion. Testing/Benchmark/memory measures it for triangles.
+  constexpr double conversionBytesPerPolygon = 85.0;
+  RequireMemoryForTriangles(input->GetNumberOfPolys(), conversionBytesPerPolygon);
   const std::vector<Triangle> triangles = TrianglesOf(Triangulated(input));
   if (triangles.empty())
   {

@@ -34,13 +34,13 @@ namespace spectralwatermark
 namespace
 {
 
-// The peak memory of uniform remeshing per triangle into which it splits the surface. Between 190
-// and 470 bytes were measured.
-constexpr double BytesOfPiece = 400.0;
+// The peak memory of uniform remeshing per triangle that it adds when it splits the surface. It
+// depends on the shape, and Testing/Benchmark/memory measures it for needles.
+constexpr double BytesPerPiece = 400.0;
 
 // The memory of vtkQuadricClustering per cell of its grid, in bytes. It keeps 88 per cell, for
-// empty cells as well.
-constexpr double BytesOfCell = 100.0;
+// empty cells as well. Testing/Benchmark/memory measures it.
+constexpr double BytesPerCell = 100.0;
 
 // The largest number of grid cells for N vertices, divided by N^1.5. A sphere takes about a tenth;
 // the limit is a thousand times that.
@@ -62,13 +62,14 @@ bool IsClosed(const TriangleMesh& mesh)
 // a grid step as its side takes about two and a half triangles.
 double MemoryOfIsosurface(const TriangleMesh& mesh, int resolution)
 {
-  // The memory per node of the grid, and per such square, in bytes.
-  constexpr double bytesOfNode = 6.0;
-  constexpr double bytesOfSquare = 1000.0;
+  // The memory per node of the grid, and per such square, in bytes. Testing/Benchmark/memory
+  // measures them.
+  constexpr double bytesPerNode = 6.0;
+  constexpr double bytesPerSquare = 1000.0;
   const Eigen::Array3d size = mesh.Points.colwise().maxCoeff() - mesh.Points.colwise().minCoeff();
   const double step = size.maxCoeff() / resolution;
-  return bytesOfNode * (size / step + 7.0).prod() +
-    bytesOfSquare * VertexAreas(mesh).sum() / (step * step);
+  return bytesPerNode * (size / step + 7.0).prod() +
+    bytesPerSquare * VertexAreas(mesh).sum() / (step * step);
 }
 
 // The number of cells along each axis of a grid over the bounding box whose cells have about this
@@ -146,7 +147,7 @@ double MemoryOfSplitting(const TriangleMesh& mesh, double edge, Index count)
   {
     RefuseAsTooThin();
   }
-  return BytesOfPiece * pieces;
+  return BytesPerPiece * pieces;
 }
 
 // The memory of the clustering grid, in bytes. Throws if it would have far too many cells.
@@ -157,7 +158,7 @@ double MemoryOfClustering(const std::array<double, 3>& grid, Index count)
   {
     RefuseAsTooThin();
   }
-  return BytesOfCell * cells;
+  return BytesPerCell * cells;
 }
 
 // Splits the surface until no edge is longer than `edge`, without opening gaps between triangles.

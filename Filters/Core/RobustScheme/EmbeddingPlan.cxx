@@ -73,9 +73,10 @@ CarrierProblem::CarrierProblem(const SolidView& view, const SecretKey& key, Inde
 
 double MemoryOfEmbedding(Index vertices, Index carriers)
 {
-  // The memory in units of one response: two responses and half of one as workspace.
-  constexpr double patterns = 2.5;
-  return patterns * sizeof(double) * static_cast<double>(vertices) *
+  // The peak memory in units of one response: two responses and half of one as workspace.
+  // Testing/Benchmark/memory measures it.
+  constexpr double patternsAtPeak = 2.5;
+  return patternsAtPeak * sizeof(double) * static_cast<double>(vertices) *
     static_cast<double>(carriers + FrameMoments);
 }
 
