@@ -52,6 +52,7 @@ int vtkTriangleMeshAlgorithm::Run(vtkInformationVector* outputs, const std::func
     this->ResetResults();
     sw::EmptyOutputs(outputs);
   };
+  sw::ResetAbort(this);
   this->ErrorCode = vtkErrorCode::NoError;
   this->ErrorParameter.clear();
   this->ErrorReason.clear();
@@ -61,13 +62,11 @@ int vtkTriangleMeshAlgorithm::Run(vtkInformationVector* outputs, const std::func
   {
     sw::CheckPieces(outputs);
     body();
-    sw::ResetAbort(this);
     return 1;
   }
   catch (const sw::Aborted&)
   {
     clear();
-    sw::ResetAbort(this);
     return 1;
   }
   catch (const sw::InvalidInput& error)

@@ -10,8 +10,8 @@
  *
  * An abort (SetAbortExecute(1), for example in a progress observer) empties the outputs without an
  * error. Call Modified() to run the filter again; the flag need not be reset. VTK before 9.3 resets it
- * when an execution starts. Later versions, and ParaView from 5.11 on, leave that to the caller; there
- * the filter resets it when it stops.
+ * when an execution starts; later versions, and ParaView from 5.11 on, leave that to the caller, so
+ * there the filter does it.
  *
  * Output port 0 is a vtkPolyData; all further ports are vtkTables.
  */

@@ -47,8 +47,7 @@ void ResetAbort(vtkAlgorithm* filter)
 #ifdef CALLER_RESETS_ABORT
   filter->SetAbortExecute(0);
 #else
-  static_cast<void>(
-    filter); // its executive does, and still reads the flag at the end of this execution
+  static_cast<void>(filter); // its executive did
 #endif
 }
 

@@ -129,15 +129,15 @@ def result(watermark, name):
 
 def check_a_filter_runs_again_after_an_abort(model):
     """ParaView's VTK leaves it to the caller to reset AbortExecute."""
-    attack = MeshAttack(Input=model, Attack="NoiseUniform")
+    attack = MeshAttack(Input=model, Attack="Simplification")
     filter = attack.SMProxy.GetClientSideObject()
     tag = filter.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(1))
     attack.UpdatePipeline()
     assert attack.GetDataInformation().GetNumberOfPoints() == 0
     filter.RemoveObserver(tag)
-    attack.Seed = 1
+    attack.SimplificationPercent = 40.0
     attack.UpdatePipeline()
-    assert attack.GetDataInformation().GetNumberOfPoints() == model.GetDataInformation().GetNumberOfPoints()
+    assert attack.GetDataInformation().GetNumberOfPoints() > 0
     Delete(attack)
 
 
