@@ -9,7 +9,6 @@ using namespace spectralwatermark;
 
 TEST(Text, PartsFollowOneAnother)
 {
-  EXPECT_EQ(TextOf(), "");
   EXPECT_EQ(TextOf("point ", 17, " of ", 42), "point 17 of 42");
 }
 
