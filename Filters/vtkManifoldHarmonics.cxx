@@ -6,6 +6,7 @@
 #include "Private/FilterExecution.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
+#include "Private/Tables.h"
 
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>

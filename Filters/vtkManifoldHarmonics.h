@@ -12,30 +12,34 @@
  * coordinates' spectrum (eq. 6) and its magnitudes (eq. 9). The basis is orthonormal in D, its
  * signs are fixed, and every residual is reported.
  *
- * The input is any vtkPolyData with polygons or strips (triangulated on the fly): open, closed,
- * non-manifold, of several components. Points at exactly the same place count as one vertex.
- * Triangles without area are allowed. Points used by no polygon get a harmonic of 0.
+ * The input is any vtkPolyData with polygons or strips, which are triangulated internally. The
+ * surface may be open, closed, non-manifold, or of several components. Points at exactly the same
+ * place count as one vertex. Triangles without area are allowed. Harmonics are 0 at points used by
+ * no polygon.
  *
- * Output port 0: the input's points, cells and attributes, and
+ * Output port 0 has the input's points, cells and attributes, and these arrays of doubles:
  *
  * | array               | data  | tuples x components | meaning                      | unit       |
  * |---------------------|-------|---------------------|------------------------------|------------|
  * | `ManifoldHarmonics` | point | n x m               | H^k, component 0 is H^1      | 1/length   |
- * | `VertexMass`        | point | n x 1               | lumped mass D of its vertex  | length^2   |
+ * | `VertexMass`        | point | n x 1               | lumped mass D of the vertex  | length^2   |
  * | `Eigenvalues`       | field | m x 1               | lambda_k, ascending          | 1/length^2 |
  * | `Spectrum`          | field | m x 3               | x~, y~, z~ (eq. 6)           | length^2   |
  * | `SpectrumMagnitude` | field | m x 1               | c (eq. 9)                    | length^2   |
  * | `Residuals`         | field | m x 1               | relative, see Tolerance      | none       |
  *
- * All are double. Output port 1: a vtkTable, the spectrum as charts take it, with a row per harmonic:
- * `Component` (1-based), `Eigenvalue`, `X`, `Y`, `Z`, `Magnitude`. Downstream, vtkSpectralWatermarkEmbed, vtkSpectralWatermarkDetect,
- * vtkManifoldHarmonicsReconstruction and vtkMeshAttack find the basis in these arrays and use it
- * as long as it is still one for the geometry that they see.
+ * Output port 1 has the spectrum as a vtkTable for charts, with a row per harmonic: `Component`
+ * (1-based), `Eigenvalue`, `X`, `Y`, `Z`, `Magnitude`.
  *
- * Errors (vtkErrorMacro, an error code, empty outputs): no points, no polygons, coordinates
- * that are not finite, no area, fewer vertices than harmonics asked for, a solver that does not
- * reach the tolerance, the dense solver on more than 10,000 vertices, less memory than it would take, a
- * piece of a distributed mesh.
+ * Downstream, vtkSpectralWatermarkEmbed, vtkSpectralWatermarkDetect, vtkMeshAttack,
+ * vtkManifoldHarmonicsReconstruction and vtkManifoldHarmonicsSimilarity find the basis in these
+ * arrays. They use it only if it is a basis for the geometry of their own input.
+ *
+ * It is an error (vtkErrorMacro, an error code, empty outputs) if the input has no points, no
+ * polygons, no area, coordinates that are not finite, or fewer vertices than harmonics are asked
+ * for; if the solver does not reach the tolerance; if the dense solver is asked for more than
+ * 10,000 vertices; if the memory does not suffice; or if the input is one piece of a distributed
+ * mesh.
  *
  * @code{.cpp}
  * vtkNew<vtkManifoldHarmonics> harmonics;
@@ -45,9 +49,12 @@
  * vtkDataArray* basis = harmonics->GetOutput()->GetPointData()->GetArray("ManifoldHarmonics");
  * @endcode
  *
+ * The paper is Y. Liu, B. Prabhakaran and X. Guo, "A Robust Spectral Approach for Blind Watermarking
+ * of Manifold Surfaces" (2008), here and in all classes.
+ *
  * @warning
- * Within a repeated eigenvalue (spheres, symmetric models) the basis vectors span the right
- * space, but which of them come out is not determined.
+ * Where an eigenvalue repeats (spheres, symmetric models), the harmonics span the right space, but
+ * the single harmonics are not determined.
  *
  * @sa
  * vtkManifoldHarmonicsReconstruction vtkSpectralWatermarkEmbed
@@ -72,15 +79,16 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of harmonics m, the constant one included. Default 100, at least 1. More
-   * than the mesh has distinct vertices with area is an error.
+   * Set/Get the number of harmonics m, including the constant one. Default 100, at least 1. More
+   * harmonics than the mesh has distinct vertices with area are an error.
    */
   vtkSetClampMacro(NumberOfHarmonics, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfHarmonics, int);
   ///@}
 
   /**
-   * Mass matrices: Lumped is diagonal (the paper's D), Consistent is <phi_i, phi_j> (its B).
+   * Mass matrices. Lumped is diagonal (the paper's D), Consistent is <phi_i, phi_j> (the paper's
+   * B).
    */
   enum MassMatrixType
   {
@@ -91,7 +99,7 @@ public:
   ///@{
   /**
    * Set/Get the mass matrix, which defines the inner product. Default Lumped. The watermarking
-   * filters use a basis only when it is a lumped one.
+   * filters use a basis of their input only if it is a lumped one.
    */
   vtkSetClampMacro(MassMatrix, int, Lumped, Consistent);
   vtkGetMacro(MassMatrix, int);
@@ -102,9 +110,10 @@ public:
 
   ///@{
   /**
-   * Set/Get how many harmonics are computed per shift-invert band. Default 0: the solver chooses.
-   * A smaller band needs less memory and more factorisations. The result does not depend on it
-   * beyond the tolerance.
+   * Set/Get the number of harmonics per shift-invert band. Default 0: the solver chooses; at
+   * least 0. A smaller
+   * band needs less memory but more factorisations. The result depends on it only within the
+   * tolerance.
    */
   vtkSetClampMacro(BandSize, int, 0, VTK_INT_MAX);
   vtkGetMacro(BandSize, int);
@@ -112,20 +121,20 @@ public:
 
   ///@{
   /**
-   * Set/Get the largest admitted relative residual,
+   * Set/Get the largest admissible relative residual,
    * ||S h - lambda D h|| / ((lambda + 1 / area) ||D h||). Default 1e-8, from 1e-14 to 1e-2. On
-   * meshes with extremely thin triangles, what rounding leaves is admitted on top.
+   * meshes with extremely thin triangles, the rounding error is admitted in addition.
    */
   vtkSetClampMacro(Tolerance, double, 1e-14, 1e-2);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   /**
-   * Eigensolvers. Automatic takes the fastest that is safe for the mesh: BlockLanczos as a rule,
-   * Spectra where harmonics are many for the number of vertices, Dense for small meshes.
-   * BlockLanczos is this library's shift-invert block Lanczos method in bands, Spectra the library
-   * of that name (implicitly restarted Lanczos, one vector at a time), Dense a direct method for up
-   * to 10,000 vertices.
+   * Eigensolvers. Automatic takes the fastest one that is safe for the mesh: BlockLanczos as a
+   * rule, Spectra if the harmonics are many for the number of vertices, Dense for small meshes.
+   * BlockLanczos is this library's own shift-invert block Lanczos method, which works band by band.
+   * Spectra is the library of that name (implicitly restarted Lanczos, one vector at a time). Dense
+   * is a direct method for up to 10,000 vertices.
    */
   enum SolverType
   {
@@ -137,8 +146,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the eigensolver. Default Automatic. All give the same spectrum within the tolerance;
-   * the others are there to compare with.
+   * Set/Get the eigensolver. Default Automatic. All solvers give the same spectrum within the
+   * tolerance; the other choices serve comparisons.
    */
   vtkSetClampMacro(Solver, int, Automatic, Dense);
   vtkGetMacro(Solver, int);
@@ -150,10 +159,10 @@ public:
   ///@}
 
   /**
-   * After an update: whether the spectrum is known to be complete, no eigenvalue below the last one
-   * missing and every multiple one there as often as it should be. That is counted by Sylvester's
-   * law of inertia, not assumed. False before the first update and after a failed one (that it is
-   * incomplete is an error).
+   * Get whether the spectrum of the last update is proven complete: no eigenvalue below the last
+   * one is missing, and every repeated eigenvalue has its full multiplicity. Sylvester's law of
+   * inertia gives the count. False before the first update and after a failed one. An incomplete
+   * spectrum is an error.
    */
   vtkGetMacro(SpectrumIsComplete, bool);
 

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkManifoldHarmonicsReconstruction
- * @brief   Geometry from its spectrum: the inverse manifold harmonics transform, with gains
+ * @brief   Reconstructs a mesh from its spectrum, with gains (inverse manifold harmonics transform)
  *
  * Moves every point to (paper, eq. 7)
  *
  *     x = sum_{k <= m} g_k x~_k H^k,
  *
- * the sum of the first m harmonics, each descriptor multiplied by a gain (1 unless set). With
- * KeepResidual the part of the geometry outside these harmonics is added back, so that with all
- * gains at 1 nothing moves: a gain of 2 on component 50 is the change of the paper's Figures 3
- * to 7.
+ * the sum of the first m harmonics, where each descriptor is multiplied by a gain g_k (1 by
+ * default). With KeepResidual, the part of the geometry outside these harmonics is added back, so
+ * that nothing moves while all gains are 1. For example, a gain of 2 on component 50 is the change
+ * that the paper's Figures 3 to 7 show.
  *
- * The basis is taken from the input (see vtkManifoldHarmonics) when it still fits its geometry,
- * lumped or consistent. Otherwise, if NumberOfHarmonics is set, a lumped one is computed. Output:
- * the input's cells and attributes with new points, without the basis arrays, which no longer
- * fit. Points used by no polygon stay where they are.
+ * The filter uses the basis of its input (see vtkManifoldHarmonics), lumped or consistent, if it
+ * still fits the geometry. Otherwise, if NumberOfHarmonics is set, it computes a lumped one. The
+ * output has the input's cells and attributes and new points. The arrays of the basis are removed,
+ * because they no longer fit. Points used by no polygon stay where they are.
  *
- * Errors (vtkErrorMacro, an error code, an empty output): as for vtkManifoldHarmonics; no usable
- * basis on the input while NumberOfHarmonics is 0; a gain beyond the harmonics used.
+ * The errors (vtkErrorMacro, an error code, an empty output) are those of vtkManifoldHarmonics. It
+ * is also an error if the input has no usable basis while NumberOfHarmonics is 0, or if a gain is
+ * set for a component beyond the harmonics used.
  *
  * @sa
  * vtkManifoldHarmonics
@@ -42,7 +43,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of harmonics m to add up. Default 0: all that the input carries.
+   * Set/Get the number of harmonics m to sum. Default 0: all that the input carries.
    */
   vtkSetClampMacro(NumberOfHarmonics, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfHarmonics, int);
@@ -50,8 +51,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the factor on one component's descriptor. Components are 1-based like the paper's:
-   * component 1 is the constant. Default 1 for every component; any finite number.
+   * Set/Get the gain of one component, a factor on its descriptor. Components are 1-based like the
+   * paper's; component 1 is the constant harmonic. Default 1 for every component; any finite
+   * number.
    */
   void SetGain(int component, double gain);
   double GetGain(int component) const;
@@ -60,7 +62,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether what lies outside the m harmonics is added back unchanged. Default off.
+   * Set/Get whether the part of the geometry outside the m harmonics is added back unchanged.
+   * Default off.
    */
   vtkSetMacro(KeepResidual, bool);
   vtkGetMacro(KeepResidual, bool);
@@ -85,7 +88,7 @@ public:
   ///@}
 
   /**
-   * Get how many bases the last update had to compute: 0 when the input's was used.
+   * Get the number of bases that the last update computed: 0 if it used the input's.
    */
   vtkGetMacro(NumberOfEigensolves, int);
 

@@ -4,7 +4,7 @@
 #include "Core/Harmonics/BasisSimilarity.h"
 #include "Core/Harmonics/ManifoldHarmonics.h"
 #include "Core/Support/Progress.h"
-#include "Private/BasisTransfer.h"
+#include "Private/ClosestPoints.h"
 #include "Private/FilterExecution.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"

@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkManifoldHarmonicsSimilarity
- * @brief   How much the harmonics of two meshes have in common, component by component
+ * @brief   Measures the similarity of the harmonics of two meshes, component by component
  *
- * Input port 0: the reference mesh. Input port 1: the other mesh, a version of the same surface in
- * the same place (marked, noised, simplified, remeshed). Computes for every component k (paper,
- * 2.2.1, eq. 8, in absolute value, with the reference's masses)
+ * Input port 0 is the reference mesh. Input port 1 is the other mesh, a version of the same surface
+ * in the same place (marked, noised, simplified, remeshed). For every component k the filter
+ * computes (paper, 2.2.1, eq. 8, in absolute value, with the masses of the reference)
  *
  *     similarity_k = |<G^k, H^k>| / (||G^k|| ||H^k||),   from 0 to 1,
  *
  * where H^k are the harmonics of the reference and G^k those of the other mesh. Meshes with the
- * same triangles are compared vertex by vertex; otherwise G^k is interpolated at the point of the
- * other surface that is closest to each vertex of the reference. Where eigenvalues of the
- * reference repeat (see ClusterTolerance), H^k is the space that they span: single harmonics are
- * not determined there.
+ * same triangles are compared vertex by vertex. Otherwise G^k is interpolated at the point of the
+ * other surface that is closest to each vertex of the reference. Where eigenvalues of the reference
+ * repeat (see ClusterTolerance), single harmonics are not determined, and G^k is compared with the
+ * space that the harmonics span.
  *
- * Each input's basis is taken from its arrays (see vtkManifoldHarmonics) when it still fits its
- * geometry. Otherwise, if NumberOfHarmonics is set, a lumped one is computed.
+ * The filter uses the basis of each input (see vtkManifoldHarmonics) if it still fits the geometry.
+ * Otherwise, if NumberOfHarmonics is set, it computes a lumped one.
  *
- * Output port 0: the reference mesh with field data `Similarity` (double, m x 1, no unit). Output
- * port 1: a vtkTable with a row per component: `Component` (1-based), `Eigenvalue`,
+ * Output port 0 is the reference mesh with the field data `Similarity` (double, m x 1, no unit).
+ * Output port 1 is a vtkTable with a row per component: `Component` (1-based), `Eigenvalue` and
  * `OtherEigenvalue` (1/length^2), `Similarity`.
  *
- * Errors (vtkErrorMacro, an error code, empty outputs): as for vtkManifoldHarmonics, for either
- * input; no usable basis on an input while NumberOfHarmonics is 0.
+ * The errors (vtkErrorMacro, an error code, empty outputs) are those of vtkManifoldHarmonics, for
+ * either input. It is also an error if an input has no usable basis while NumberOfHarmonics is 0.
  *
  * @sa
  * vtkManifoldHarmonics vtkMeshDistortion
@@ -52,20 +52,21 @@ public:
 
   ///@{
   /**
-   * Set/Get how close two neighbouring eigenvalues of the reference must be, relative to their
-   * size, to count as one that repeats. Default 1e-6, from 0 to 1.
+   * Set/Get the relative difference of two neighbouring eigenvalues of the reference up to which
+   * they count as one that repeats. Default 1e-6, from 0 to 1.
    */
   vtkSetClampMacro(ClusterTolerance, double, 0.0, 1.0);
   vtkGetMacro(ClusterTolerance, double);
   ///@}
 
   /**
-   * Get the mean similarity over all components; -1 before the first update and after an error.
+   * Get the mean similarity over all components, from 0 to 1; -1 before the first update and after
+   * an error.
    */
   vtkGetMacro(MeanSimilarity, double);
 
   /**
-   * Get how many bases the last update computed: 0 when both inputs brought theirs.
+   * Get the number of bases that the last update computed: 0 if it used those of both inputs.
    */
   vtkGetMacro(NumberOfEigensolves, int);
 

@@ -79,11 +79,12 @@ const char* NameOf(const std::array<const char*, Count>& names, int value)
 
 void RequireMemoryToSubdivide(sw::Index triangles, vtkMeshAttack* attack)
 {
-  constexpr double bytesOfTriangle = 165.0; // at the peak: 128 to 161 were measured
+  // The peak memory per triangle of the result. Testing/Benchmark/memory measures it.
+  constexpr double subdivisionBytesPerTriangle = 165.0;
   const double parts = attack->GetSubdivisionType() == vtkMeshAttack::Sqrt3 ? 3.0 : 4.0;
   const double count =
     static_cast<double>(triangles) * std::pow(parts, attack->GetNumberOfSubdivisions());
-  sw::RequireMemoryForTriangles(static_cast<sw::Index>(count), bytesOfTriangle,
+  sw::RequireMemoryForTriangles(static_cast<sw::Index>(count), subdivisionBytesPerTriangle,
     "lower it, or simplify the mesh first", "NumberOfSubdivisions");
 }
 
@@ -217,8 +218,9 @@ template <typename Move>
 void MovePoints(vtkMeshAttack* attack, vtkPolyData* input, vtkPolyData* output, const Move& move)
 {
   const sw::PolyDataMesh mesh = sw::ToMesh(input);
-  constexpr double bytesOfTriangle = 225.0; // at the peak of smoothing, measured
-  sw::RequireMemoryForTriangles(mesh.Mesh.NumberOfTriangles(), bytesOfTriangle);
+  // The peak memory of smoothing, which needs the most. Testing/Benchmark/memory measures it.
+  constexpr double smoothingBytesPerTriangle = 225.0;
+  sw::RequireMemoryForTriangles(mesh.Mesh.NumberOfTriangles(), smoothingBytesPerTriangle);
   const sw::Progress progress = sw::ProgressOf(attack);
   progress.Report(0.3);
   const sw::TriangleMesh::PointMatrix points = move(mesh.Mesh, progress.Part(0.3, 0.9));
@@ -227,8 +229,8 @@ void MovePoints(vtkMeshAttack* attack, vtkPolyData* input, vtkPolyData* output, 
   sw::SetPoints(output, input, mesh, points, attack->GetOutputPointsPrecision());
 }
 
-// Replaces the mesh by the one that resample(mesh) returns. The merged mesh is resampled, so that seams do
-// not tear.
+// Replaces the mesh by the one that resample(mesh) returns. The merged mesh is resampled, so that
+// seams do not tear.
 template <typename Resample>
 void ReplaceMesh(vtkMeshAttack* attack, vtkPolyData* input, vtkPolyData* output,
   const Resample& resample)
@@ -368,8 +370,9 @@ void vtkMeshAttack::Simplify(vtkPolyData* input, vtkPolyData* output)
   sw::CheckFinite("SimplificationPercent", this->SimplificationPercent);
   // The merged mesh, so that seams do not tear.
   const sw::PolyDataMesh mesh = sw::ToMesh(input);
-  constexpr double bytesOfTriangle = 565.0; // at the peak, as measured
-  sw::RequireMemoryForTriangles(mesh.Mesh.NumberOfTriangles(), bytesOfTriangle);
+  // The peak memory of simplification. Testing/Benchmark/memory measures it.
+  constexpr double simplificationBytesPerTriangle = 565.0;
+  sw::RequireMemoryForTriangles(mesh.Mesh.NumberOfTriangles(), simplificationBytesPerTriangle);
   const bool storesFloat = sw::StoresFloat(input, this->OutputPointsPrecision);
   vtkNew<vtkQuadricDecimation> decimate;
   decimate->SetInputData(sw::ToPolyData(mesh.Mesh, false));

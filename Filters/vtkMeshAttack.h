@@ -1,42 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkMeshAttack
- * @brief   What people and software do to a mesh, to see whether a mark survives it
+ * @brief   Attacks a mesh as people and software do, to test whether a mark survives
  *
- * | Attack            | what it does                                    | parameters          |
- * |-------------------|-------------------------------------------------|---------------------|
- * | Rotation          | turns the mesh about an axis through the origin | RotationAxis, RotationAngle |
- * | UniformScaling    | multiplies all coordinates                      | ScaleFactor         |
- * | Translation       | adds a vector                                   | TranslationVector   |
- * | Similarity        | a random rotation, scale and translation        | Seed                |
- * | NoiseAlongNormals | v + s N(0, 1) e n(v) (paper, 3.3.3)             | NoiseFactor, Seed   |
- * | NoiseUniform      | every coordinate + U[-1, 1] a (benchmark)       | NoisePercent, Seed  |
- * | SpectralSmoothing | damps high harmonics (paper, 3.3.4)             | NumberOfHarmonics, CutoffComponent, SmoothingGain, KeepResidual |
- * | LaplacianSmoothing | v + f (mean of neighbours - v) (benchmark)     | SmoothingFactor, SmoothingIterations |
- * | Quantization      | rounds coordinates (benchmark)                  | QuantizationBits    |
- * | Simplification    | quadric edge collapse (vtkQuadricDecimation)    | SimplificationPercent |
- * | Subdivision       | more triangles                                  | SubdivisionType, NumberOfSubdivisions |
- * | VertexReordering  | shuffles points and polygons                    | Seed                |
- * | Cropping          | cuts a part off, by a plane                     | CroppingPercent, Seed |
- * | Remeshing         | other triangles on the same surface             | RemeshingMethod, RemeshingPercent, IsosurfaceResolution |
- * | NonUniformScaling | multiplies each coordinate by a factor          | AxisScaleFactors    |
+ * The attacks, and the properties that they use:
  *
- * "Benchmark": K. Wang, G. Lavoue, F. Denis, A. Baskurt, X. He, "A Benchmark for 3-D Mesh
- * Watermarking" (2010); its unit of length is the mean distance of the vertices to their centre.
+ * - Rotation rotates the mesh about an axis through the origin (RotationAxis, RotationAngle).
+ * - UniformScaling multiplies all coordinates by a factor (ScaleFactor).
+ * - Translation adds a vector (TranslationVector).
+ * - Similarity applies a random rotation, scaling and translation (Seed).
+ * - NoiseAlongNormals moves each vertex v to v + s N(0, 1) e n(v), where e is the mean edge length
+ *   and n(v) the normal (paper, 3.3.3; NoiseFactor is s, Seed).
+ * - NoiseUniform adds U[-1, 1] a to every coordinate (benchmark; NoisePercent is a, Seed).
+ * - SpectralSmoothing damps the high harmonics (paper, 3.3.4; NumberOfHarmonics, CutoffComponent,
+ *   SmoothingGain, KeepResidual).
+ * - LaplacianSmoothing moves each vertex v to v + f (mean of its neighbours - v), several times
+ *   (benchmark; SmoothingFactor is f, SmoothingIterations).
+ * - Quantization rounds the coordinates (benchmark; QuantizationBits).
+ * - Simplification collapses edges by the quadric error (vtkQuadricDecimation;
+ *   SimplificationPercent).
+ * - Subdivision divides the triangles (SubdivisionType, NumberOfSubdivisions).
+ * - VertexReordering shuffles points and polygons (Seed).
+ * - Cropping cuts a part off by a plane (CroppingPercent, Seed).
+ * - Remeshing replaces the triangles of the surface by others (RemeshingMethod, RemeshingPercent,
+ *   IsosurfaceResolution).
+ * - NonUniformScaling multiplies each coordinate by a factor of its own (AxisScaleFactors).
  *
- * Deterministic: the same input and parameters give the same output, whatever the number of
- * threads. Noise depends on (Seed, vertex) alone.
+ * "Benchmark" stands for K. Wang, G. Lavoue, F. Denis, A. Baskurt, X. He, "A Benchmark for 3-D Mesh
+ * Watermarking" (2010). Its unit of length is the mean distance of the vertices to their centre.
  *
- * Most attacks keep cells, attributes and unused points, and move points only; normals and vectors
- * turn with a rotation. Points at the same place stay together. VertexReordering and Cropping keep
- * the attributes of what is there. Simplification, Subdivision and Remeshing return triangles and
- * no attributes, since those belong to points and cells that are gone. Arrays of a basis
- * (vtkManifoldHarmonics) are dropped.
+ * The filter is deterministic: the same input and properties give the same output, whatever the
+ * number of threads. Noise depends on (Seed, vertex) alone.
  *
- * Errors (vtkErrorMacro, an error code, an empty output): as for vtkManifoldHarmonics; an unknown
- * attack or method; an axis of length 0; parameters that are not finite; more harmonics than
- * vertices; an isosurface of a surface that is not closed; a surface that Loop's rule cannot
- * divide; an attack that leaves no triangle, or makes more of them than memory holds.
+ * Most attacks move the points and change nothing else: cells, attributes and unused points stay.
+ * Normals and vectors rotate with the mesh. Points at the same place stay together.
+ * VertexReordering and Cropping keep the attributes of what remains. Simplification, Subdivision
+ * and Remeshing return triangles without attributes, because their points and cells are new. The
+ * arrays of a basis (vtkManifoldHarmonics) are removed.
+ *
+ * The errors (vtkErrorMacro, an error code, an empty output) are those of vtkManifoldHarmonics. It
+ * is also an error if the attack or method is unknown; an axis has length 0; a property is not
+ * finite; more harmonics than vertices are asked for; the isosurface of a surface that is not
+ * closed is asked for; Loop's rule cannot divide the surface; no triangle is left; or there would
+ * be more triangles than memory holds.
  *
  * @sa
  * vtkSpectralWatermarkDetect vtkMeshDistortion
@@ -55,7 +61,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Attacks. The numbers are stable.
+   * Attacks. The numbers will not change.
    */
   enum AttackType
   {
@@ -77,28 +83,28 @@ public:
   };
 
   /**
-   * Rules for Subdivision.
+   * The rules of Subdivision.
    */
   enum SubdivisionTypes
   {
-    Midpoint = 0, ///< four triangles for each, in its plane
-    Loop = 1,     ///< Loop's, which smooths
-    Sqrt3 = 2     ///< Kobbelt's √3, which smooths: three triangles for each
+    Midpoint = 0, ///< divides each triangle into four, in its plane
+    Loop = 1,     ///< Loop's rule: divides each triangle into four and smooths
+    Sqrt3 = 2     ///< Kobbelt's √3 rule: makes three triangles of each and smooths
   };
 
   /**
-   * Ways of Remeshing.
+   * The methods of Remeshing.
    */
   enum RemeshingMethods
   {
-    Uniform = 0,   ///< vertices about equally far apart (vtkQuadricClustering)
+    Uniform = 0,   ///< vertices at about equal distances (vtkQuadricClustering)
     Isosurface = 1 ///< the zero level of the signed distance, sampled on a grid
   };
 
   ///@{
   /**
-   * Set/Get the attack. Default NoiseAlongNormals. An unknown number is an error when the filter
-   * runs.
+   * Set/Get the attack, an AttackType. Default NoiseAlongNormals. Any other number is an error when
+   * the filter runs.
    */
   vtkSetMacro(Attack, int);
   vtkGetMacro(Attack, int);
@@ -122,7 +128,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the seed of random attacks. Default 0, any integer.
+   * Set/Get the seed of the random attacks. Default 0; any integer.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -130,7 +136,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the axis of Rotation. Default (0, 0, 1); any length but 0.
+   * Set/Get the axis of Rotation. Default (0, 0, 1); any length except 0.
    */
   vtkSetVector3Macro(RotationAxis, double);
   vtkGetVector3Macro(RotationAxis, double);
@@ -138,7 +144,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the angle of Rotation, in degrees. Default 30.
+   * Set/Get the angle of Rotation, in degrees. Default 30; any finite number.
    */
   vtkSetMacro(RotationAngle, double);
   vtkGetMacro(RotationAngle, double);
@@ -154,7 +160,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the vector of Translation, in the model's units. Default (1, 0, 0).
+   * Set/Get the vector of Translation, in the model's units. Default (1, 0, 0); any finite numbers.
    */
   vtkSetVector3Macro(TranslationVector, double);
   vtkGetVector3Macro(TranslationVector, double);
@@ -162,8 +168,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the paper's s_noise for NoiseAlongNormals: the standard deviation of the displacement
-   * in mean edge lengths. Default 0.5, at least 0. Normals are weighted by area.
+   * Set/Get the paper's s_noise for NoiseAlongNormals: the standard deviation of the displacement,
+   * in mean edge lengths. Default 0.5, at least 0. The vertex normals are weighted by triangle
+   * area.
    */
   vtkSetClampMacro(NoiseFactor, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(NoiseFactor, double);
@@ -171,7 +178,7 @@ public:
 
   ///@{
   /**
-   * Set/Get m for SpectralSmoothing: the harmonics that the smoothed mesh is made of. Default
+   * Set/Get the number of harmonics m of which SpectralSmoothing makes the smoothed mesh. Default
    * 300 (the paper does not give its m), at least 1.
    */
   vtkSetClampMacro(NumberOfHarmonics, int, 1, VTK_INT_MAX);
@@ -180,7 +187,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the last component that SpectralSmoothing leaves alone, 1-based. Default 200, as in
+   * Set/Get the last component that SpectralSmoothing leaves unchanged, 1-based. Default 200, as in
    * the paper; at least 1.
    */
   vtkSetClampMacro(CutoffComponent, int, 1, VTK_INT_MAX);
@@ -189,7 +196,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the factor on the components after CutoffComponent. Default 0.5, as in the paper.
+   * Set/Get the factor by which SpectralSmoothing multiplies the components after CutoffComponent.
+   * Default 0.5, as in the paper; any finite number.
    */
   vtkSetMacro(SmoothingGain, double);
   vtkGetMacro(SmoothingGain, double);
@@ -197,8 +205,9 @@ public:
 
   ///@{
   /**
-   * Set/Get whether SpectralSmoothing keeps what lies outside its m harmonics. Default off: it is
-   * dropped, as in the paper's formula, which smooths far more than the gain does.
+   * Set/Get whether SpectralSmoothing keeps the part of the geometry outside its m harmonics.
+   * Default off: that part is dropped, as in the paper's formula, which smooths far more than the
+   * gain does.
    */
   vtkSetMacro(KeepResidual, bool);
   vtkGetMacro(KeepResidual, bool);
@@ -207,8 +216,9 @@ public:
 
   ///@{
   /**
-   * Set/Get how much Simplification removes, in percent of the edges (on a closed mesh the same
-   * percentage of triangles and, nearly, of vertices). Default 50, from 0 to 99.9.
+   * Set/Get the share of the edges that Simplification removes, in percent. On a closed mesh it
+   * removes the same percentage of the triangles and nearly the same of the vertices. Default 50,
+   * from 0 to 99.9.
    */
   vtkSetClampMacro(SimplificationPercent, double, 0.0, 99.9);
   vtkGetMacro(SimplificationPercent, double);
@@ -216,8 +226,8 @@ public:
 
   ///@{
   /**
-   * Set/Get a of NoiseUniform, in percent of the mean distance of the vertices to their centre.
-   * Default 0.3, at least 0.
+   * Set/Get the amplitude a of NoiseUniform, in percent of the mean distance of the vertices to
+   * their centre. Default 0.3, at least 0.
    */
   vtkSetClampMacro(NoisePercent, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(NoisePercent, double);
@@ -225,7 +235,7 @@ public:
 
   ///@{
   /**
-   * Set/Get f of LaplacianSmoothing. Default 0.1, as in the benchmark; from 0 to 1.
+   * Set/Get the factor f of LaplacianSmoothing. Default 0.1, as in the benchmark; from 0 to 1.
    */
   vtkSetClampMacro(SmoothingFactor, double, 0.0, 1.0);
   vtkGetMacro(SmoothingFactor, double);
@@ -233,8 +243,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how often LaplacianSmoothing moves all vertices. Those on boundaries stay. Default 10,
-   * at least 0.
+   * Set/Get the number of times that LaplacianSmoothing moves all vertices. Vertices on boundaries
+   * stay. Default 10, at least 0.
    */
   vtkSetClampMacro(SmoothingIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(SmoothingIterations, int);
@@ -242,8 +252,8 @@ public:
 
   ///@{
   /**
-   * Set/Get R of Quantization: each axis has 2^R levels, evenly from one side of the bounding box to
-   * the other. Default 9, from 1 to 30.
+   * Set/Get the number of bits R of Quantization: 2^R levels divide each axis evenly from one side
+   * of the bounding box to the other. Default 9, from 1 to 30.
    */
   vtkSetClampMacro(QuantizationBits, int, 1, 30);
   vtkGetMacro(QuantizationBits, int);
@@ -251,7 +261,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the rule of Subdivision, a SubdivisionTypes. Default Midpoint.
+   * Set/Get the rule of Subdivision, one of SubdivisionTypes. Default Midpoint. Any other number is
+   * an error when the filter runs.
    */
   vtkSetMacro(SubdivisionType, int);
   vtkGetMacro(SubdivisionType, int);
@@ -263,7 +274,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how often Subdivision divides. Default 1, from 1 to 6.
+   * Set/Get the number of times that Subdivision divides all triangles. Default 1, from 1 to 6.
    */
   vtkSetClampMacro(NumberOfSubdivisions, int, 1, 6);
   vtkGetMacro(NumberOfSubdivisions, int);
@@ -271,8 +282,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how many percent of the points Cropping cuts off, by a plane in a random direction.
-   * Default 10, from 0 to 99.
+   * Set/Get the share of the points that Cropping cuts off by a plane in a random direction, in
+   * percent. Default 10, from 0 to 99.
    */
   vtkSetClampMacro(CroppingPercent, double, 0.0, 99.0);
   vtkGetMacro(CroppingPercent, double);
@@ -280,7 +291,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the way of Remeshing, a RemeshingMethods. Default Uniform.
+   * Set/Get the method of Remeshing, one of RemeshingMethods. Default Uniform. Any other number is
+   * an error when the filter runs.
    */
   vtkSetMacro(RemeshingMethod, int);
   vtkGetMacro(RemeshingMethod, int);
@@ -291,10 +303,11 @@ public:
 
   ///@{
   /**
-   * Set/Get how many vertices the uniform Remeshing makes, about, in percent of those there are.
-   * Default 100, from 0.1 to 1000. Triangles are split to half a cell of a grid over the bounding
-   * box, and gathered in its cells; both take memory: an error where there is not enough, and for a
-   * mesh that is very thin for its box, or of triangles thousands of times as long as wide.
+   * Set/Get the approximate number of vertices after the uniform Remeshing, in percent of their
+   * number before. Default 100, from 0.1 to 1000. Triangles are split down to half the size of a
+   * cell of a grid over the bounding box, and the vertices in each cell are merged. Both take
+   * memory. It is an error if the memory does not suffice, if the mesh is very thin for its
+   * bounding box, or if its triangles are thousands of times as long as wide.
    */
   vtkSetClampMacro(RemeshingPercent, double, 0.1, 1000.0);
   vtkGetMacro(RemeshingPercent, double);
@@ -302,8 +315,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the steps of the isosurface's grid along the longest side of the bounding box. Default
-   * 256, from 8 to 1024.
+   * Set/Get the number of grid steps of the isosurface Remeshing along the longest side of the
+   * bounding box. Default 256, from 8 to 1024.
    */
   vtkSetClampMacro(IsosurfaceResolution, int, 8, 1024);
   vtkGetMacro(IsosurfaceResolution, int);
@@ -311,7 +324,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the factors of NonUniformScaling for x, y and z. Default (1, 1, 1.1); any but 0.
+   * Set/Get the factors of NonUniformScaling for x, y and z. Default (1, 1, 1.1); any finite
+   * numbers except 0.
    */
   vtkSetVector3Macro(AxisScaleFactors, double);
   vtkGetVector3Macro(AxisScaleFactors, double);
@@ -327,8 +341,8 @@ public:
   ///@}
 
   /**
-   * Get how many bases the last update computed: 0 unless SpectralSmoothing found none on its
-   * input.
+   * Get the number of bases that the last update computed: 0 unless SpectralSmoothing found no
+   * usable basis on its input.
    */
   vtkGetMacro(NumberOfEigensolves, int);
 

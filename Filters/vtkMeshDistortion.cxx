@@ -9,10 +9,9 @@
 #include "Core/Support/MemoryBudget.h"
 #include "Core/Support/Progress.h"
 #include "Private/FilterExecution.h"
-#include "Private/PerceptualDistance.h"
 #include "Private/PolyDataMesh.h"
 #include "Private/Results.h"
-#include "Private/SurfaceDistance.h"
+#include "Private/SurfaceComparison.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
@@ -89,9 +88,10 @@ struct vtkMeshDistortion::Surfaces
   {
     sw::PolyDataMesh before = sw::ToMesh(reference);
     sw::PolyDataMesh after = sw::ToMesh(distorted);
-    constexpr double bytesOfTriangle = 320.0; // at the peak, as measured
+    // The peak memory of the comparison. Testing/Benchmark/memory measures it.
+    constexpr double comparisonBytesPerTriangle = 320.0;
     sw::RequireMemoryForTriangles(before.Mesh.NumberOfTriangles() + after.Mesh.NumberOfTriangles(),
-      bytesOfTriangle);
+      comparisonBytesPerTriangle);
     return Surfaces(std::move(before), std::move(after));
   }
 

@@ -32,7 +32,7 @@ std::string SecretInFile(const std::string& path)
 {
   constexpr std::streamsize limit = 1 << 20;
   std::ifstream file(path, std::ios::binary);
-  std::string secret(static_cast<std::size_t>(limit) + 1, '\0');
+  std::string secret(limit + 1, '\0');
   file.read(secret.data(), limit + 1);
   const std::streamsize size = file.gcount();
   if (!file.is_open() || file.bad() || (size == 0 && !file.eof()))
@@ -45,7 +45,7 @@ std::string SecretInFile(const std::string& path)
     throw sw::InvalidInput("SecretKeyFile", "the file \"" + path + "\" is over 1 MiB",
       "check that it is the right file");
   }
-  secret.resize(static_cast<std::size_t>(size));
+  secret.resize(size);
   for (const char ending : { '\n', '\r' })
   {
     if (!secret.empty() && secret.back() == ending)

@@ -1,31 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSpectralWatermarkAlgorithm
- * @brief   What embedding and detection must agree on: scheme, slots, carriers and secret
+ * @brief   Base class of embedding and detection: scheme, slots, carriers and secret key
  *
- * Superclass of vtkSpectralWatermarkEmbed and vtkSpectralWatermarkDetect. A mark is read with the
- * properties it was embedded with.
+ * Superclass of vtkSpectralWatermarkEmbed and vtkSpectralWatermarkDetect. A mark can only be read
+ * with the properties that it was embedded with.
  *
- * Scheme Robust, the default: bits live in the Fourier transform of the solid that the surface
- * encloses, at wave vectors that the secret key decides, quantised with a secret dither and protected
- * by the extended Golay code and a check. The mark belongs to the solid, not to its triangles. It
- * needs a surface that encloses a volume; small holes do no harm. NumberOfBits and the secret key are
- * its only properties here. Filters/README.md explains what it is made of, why it holds and what
- * breaks it. Without a secret key it works with a public one: anyone can then read the mark, or find
- * it.
+ * Scheme Robust, the default: the bits are in the Fourier transform of the solid that the surface
+ * encloses, at wave vectors that the secret key determines. They are quantised with a secret dither
+ * and protected by the extended Golay code and a check. The mark belongs to the solid and not to
+ * its triangles. The surface must enclose a volume. Of the properties
+ * below, Robust uses only NumberOfBits and the secret key. Without a secret key it works with a
+ * public key, so that anyone can find and read the mark. Filters/Documentation/robust-scheme.md
+ * explains how the scheme works and what breaks it.
  *
- * Scheme PaperSlots (paper, 2.2.3 and 3.2.1): bit i lives in slot i, the SlotSize components from
- * FirstComponent + i SlotSize on. In each slot one component, the carrier, is compared with the
- * average of reference components around it. It needs no volume: any surface goes.
+ * Scheme PaperSlots (the paper, which vtkManifoldHarmonics cites, 2.2.3 and 3.2.1): bit i is in slot i, which consists of the SlotSize
+ * components from FirstComponent + i SlotSize on. In each slot one component, the carrier, is
+ * compared with the average of reference components around it. The scheme needs no volume, so it
+ * works on any surface.
  *
- * PaperSlots with a secret key (SecretKey or SecretKeyFile): the carrier's place in each slot is drawn from
- * the key, uniformly from positions 2 to SlotSize - 1, and the message is whitened with a
- * keystream: slot i holds the bit k_i xor a fair coin of the key. Whoever has another key, or none,
- * reads coin flips. Positions, keystream and derived messages come from libsodium's BLAKE2b and
- * ChaCha20 and are the same on every platform and in every version.
+ * PaperSlots with a secret key (SecretKey or SecretKeyFile): the position of the carrier in each
+ * slot is drawn from the key, uniformly from 2 to SlotSize - 1. A keystream whitens the message:
+ * slot i holds the bit k_i xor a fair coin of the key. Whoever reads with another key, or with
+ * none, reads coin flips. Positions, keystream and derived messages come from libsodium's BLAKE2b
+ * and ChaCha20, and are the same on every platform and in every version.
  *
  * @warning
- * A secret that can be guessed can be tried out on a marked mesh: make it random, for example with
+ * A secret that can be guessed can be tried out on a marked mesh. Make it random, for example with
  * `head -c 32 /dev/urandom | base64 > my.key`.
  *
  * @sa
@@ -54,10 +55,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The bytes that this process may still take: what the machine has free, with swap, or what limits of
-   * the shell (`ulimit -v`) or of control groups, as of containers, leave of it. Infinite where that is
-   * not known, as on other systems than Linux. The filters ask before they start; so can who reads a
-   * large file for them.
+   * Get the memory that this process may still take, in bytes: what the machine has free, including
+   * swap, or less if the shell (`ulimit -v`) or control groups (containers) set a limit. Infinite
+   * where it is not known, as on systems other than Linux. The filters check this before they
+   * start; so can code that loads large files for them.
    */
   static double GetAvailableMemory();
 
@@ -66,13 +67,14 @@ public:
    */
   enum SchemeType
   {
-    PaperSlots = 0, ///< the paper's: a bit in each slot of the spectrum of manifold harmonics
+    PaperSlots = 0, ///< the paper's scheme: a bit in each slot of the manifold harmonics spectrum
     Robust = 1      ///< bits in the Fourier transform of the solid
   };
 
   ///@{
   /**
-   * Set/Get the scheme. Default Robust (1). Another value is an error when the filter runs.
+   * Set/Get the scheme, a SchemeType. Default Robust (1). Any other number is an error when the
+   * filter runs.
    */
   vtkSetMacro(Scheme, int);
   vtkGetMacro(Scheme, int);
@@ -82,8 +84,8 @@ public:
   ///@}
 
   /**
-   * Slot divisions (paper, 3.2.1). Normal: the references are positions 1 to SlotSize - 1 without
-   * the carrier's. InterleavedNarrow: the carrier's two neighbours.
+   * Slot divisions (paper, 3.2.1), which determine the references of a carrier. Normal: positions 1
+   * to SlotSize - 1 except the carrier's. InterleavedNarrow: the carrier's two neighbours.
    */
   enum SlotDivisionType
   {
@@ -93,7 +95,8 @@ public:
 
   ///@{
   /**
-   * Set/Get which components of a slot the carrier is compared with. Default Normal.
+   * Set/Get the slot division: the components of a slot that the carrier is compared with. Default
+   * Normal.
    */
   vtkSetClampMacro(SlotDivision, int, Normal, InterleavedNarrow);
   vtkGetMacro(SlotDivision, int);
@@ -105,8 +108,8 @@ public:
   ///@{
   /**
    * Set/Get the first component of the first slot, 1-based as in the paper (component 1 is the
-   * constant harmonic). Default 21, at least 2. Slots that reach into the constant harmonics (one
-   * per component of the mesh) are an error.
+   * constant harmonic). Default 21, at least 2. It is an error if the slots reach into the constant
+   * harmonics, of which the mesh has one per connected component.
    */
   vtkSetClampMacro(FirstComponent, int, 2, VTK_INT_MAX / 2);
   vtkGetMacro(FirstComponent, int);
@@ -114,8 +117,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of components of a slot, each of which holds one bit. Default 10, at
-   * least 4.
+   * Set/Get the number of components of a slot. Each slot holds one bit. Default 10, from 4 to
+   * 1,000,000.
    */
   vtkSetClampMacro(SlotSize, int, 4, 1000000);
   vtkGetMacro(SlotSize, int);
@@ -123,8 +126,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the carrier's place in its slot, 1-based. Default 5; 2 to SlotSize - 1, anything else
-   * is an error when the filter runs. A secret key decides instead when there is one.
+   * Set/Get the position of the carrier in its slot, 1-based. Default 5, from 2 to SlotSize - 1;
+   * anything else is an error when the filter runs. With a secret key, the key determines the
+   * positions instead.
    */
   vtkSetMacro(CarrierPosition, int);
   vtkGetMacro(CarrierPosition, int);
@@ -132,7 +136,7 @@ public:
 
   /**
    * Bit embeddings. Aggressive (eq. 10): every carrier ends at least TurbulenceFactor deviations
-   * from the average. NonAggressive (eq. 11): carriers already on their side stay.
+   * away from the average. NonAggressive (eq. 11): carriers that are already on their side stay.
    */
   enum BitEmbeddingType
   {
@@ -142,8 +146,8 @@ public:
 
   ///@{
   /**
-   * Set/Get when a carrier is changed. Default Aggressive. Detection uses it only to weigh what it
-   * sees (see vtkSpectralWatermarkDetect::SetDetector()).
+   * Set/Get the bit embedding, which decides which carriers are changed. Default Aggressive.
+   * Detection uses it only to weigh the evidence (see vtkSpectralWatermarkDetect::SetDetector()).
    */
   vtkSetClampMacro(BitEmbedding, int, Aggressive, NonAggressive);
   vtkGetMacro(BitEmbedding, int);
@@ -154,9 +158,10 @@ public:
 
   ///@{
   /**
-   * Set/Get the paper's s: how many deviations of the references lie between a changed carrier
-   * and their average. More is more robust and more visible. Default 1, from 0 to 1000. A target
-   * below 0 becomes 0. Detection uses it only to weigh what it sees.
+   * Set/Get the paper's s: the distance of a changed carrier from the average of its references, in
+   * standard deviations of the references. A larger factor is more robust and more visible. Default
+   * 1, from 0 to 1000. A target magnitude below 0 becomes 0. Detection uses it only to weigh the
+   * evidence.
    */
   vtkSetClampMacro(TurbulenceFactor, double, 0.0, 1000.0);
   vtkGetMacro(TurbulenceFactor, double);
@@ -164,9 +169,9 @@ public:
 
   ///@{
   /**
-   * Set/Get how many bits: those to read, and those of a message derived from the secret key.
-   * Default 64 for Robust and 5 for PaperSlots, which is what 0 stands for; the getter gives the
-   * number that is used. Robust takes up to 1024. A message that is given decides instead.
+   * Set/Get the number of bits to read, and of a message derived from the secret key. Default 0,
+   * which stands for 64 in Robust and for 5 in PaperSlots; the getter returns the number that is
+   * used. At most 1024 in Robust. A message that is set determines the number instead.
    */
   vtkSetClampMacro(NumberOfBits, int, 0, 1000000);
   int GetNumberOfBits() const;
@@ -174,10 +179,10 @@ public:
 
   ///@{
   /**
-   * Set the secret key, any text; "" or nullptr for none, the default: Robust then works with a
-   * public key, and PaperSlots has its carriers at CarrierPosition and whitens nothing. There is no
-   * getter, and nothing prints it: GetHasSecretKey() tells whether there is one, here or in
-   * SecretKeyFile.
+   * Set the secret key, any text. Default "" (or nullptr): no key. Robust then works with a public
+   * key; PaperSlots has its carriers at CarrierPosition and does not whiten the message. There is
+   * no getter, and the secret is never printed. GetHasSecretKey() returns whether a key is set,
+   * here or by SecretKeyFile.
    */
   void SetSecretKey(const char* secret);
   int GetHasSecretKey() const;
@@ -185,9 +190,10 @@ public:
 
   ///@{
   /**
-   * Set/Get a file that holds the secret key, read whenever the filter runs: all of its bytes but
-   * one line break at the end, at most 1 MiB. Default "": none. A file that cannot be read or is
-   * empty is an error when the filter runs, and so is setting both SecretKey and SecretKeyFile.
+   * Set/Get the path of a file that holds the secret key. Default "": none. The file is read
+   * whenever the filter runs; the secret is all of its bytes except one line break at the end, at
+   * most 1 MiB. It is an error when the filter runs if the file cannot be read or is empty, or if
+   * both SecretKey and SecretKeyFile are set.
    */
   void SetSecretKeyFile(const char* path);
   const char* GetSecretKeyFile() const { return this->SecretKeyFile.c_str(); }
@@ -198,13 +204,14 @@ protected:
   ~vtkSpectralWatermarkAlgorithm() override;
 
   /**
-   * The secret key, from where it was set; nullptr when there is none. Throws when its file cannot
+   * The secret key that is set, or nullptr if there is none. Throws InvalidInput if its file cannot
    * be used.
    */
   std::unique_ptr<spectralwatermark::SecretKey> ReadSecretKey() const;
 
   /**
-   * The same for the scheme Robust: a public key where there is none.
+   * The secret key that is set, or the public key of the scheme Robust if there is none. Throws
+   * InvalidInput if the key file cannot be used.
    */
   std::unique_ptr<spectralwatermark::SecretKey> ReadRobustKey() const;
 
@@ -214,13 +221,13 @@ protected:
   bool IsRobust() const { return this->Scheme == Robust; }
 
   /**
-   * Throws when the scheme is none of SchemeType.
+   * Throws InvalidInput if the scheme is none of SchemeType.
    */
   void CheckScheme() const;
 
   /**
-   * The properties above for the Core, checked for this many bits; throws when they contradict
-   * each other.
+   * The slot properties as Core takes them, checked for this number of bits. Throws InvalidInput if
+   * they contradict each other.
    */
   spectralwatermark::SlotOptions GetSlotOptions(const spectralwatermark::SecretKey* key,
     long long bits) const;

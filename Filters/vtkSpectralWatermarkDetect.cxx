@@ -12,12 +12,11 @@
 #include "Core/RobustScheme/RobustReader.h"
 #include "Core/Support/Errors.h"
 #include "Core/Support/MemoryBudget.h"
-#include "Private/CarrierTable.h"
 #include "Private/FilterExecution.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
 #include "Private/Results.h"
-#include "Private/SlotTable.h"
+#include "Private/Tables.h"
 
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
@@ -100,8 +99,9 @@ void vtkSpectralWatermarkDetect::ReadSlots(vtkPolyData* input, vtkTable* table)
 void vtkSpectralWatermarkDetect::ReadRobust(vtkPolyData* input, vtkTable* table)
 {
   const sw::PolyDataMesh mesh = sw::ToMesh(input);
-  constexpr double bytesOfTriangle = 455.0; // at the peak, as measured
-  sw::RequireMemoryForTriangles(mesh.Mesh.NumberOfTriangles(), bytesOfTriangle);
+  // The peak memory of detection. Testing/Benchmark/memory measures it.
+  constexpr double detectionBytesPerTriangle = 455.0;
+  sw::RequireMemoryForTriangles(mesh.Mesh.NumberOfTriangles(), detectionBytesPerTriangle);
   const std::unique_ptr<sw::SecretKey> key = this->ReadRobustKey();
   const std::string wanted = this->WantedMessage(this->GetHasSecretKey() ? key.get() : nullptr);
   const sw::Index bits =

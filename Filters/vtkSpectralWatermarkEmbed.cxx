@@ -12,12 +12,11 @@
 #include "Core/RobustScheme/RobustEmbedding.h"
 #include "Core/Support/Errors.h"
 #include "Core/Support/Progress.h"
-#include "Private/CarrierTable.h"
 #include "Private/FilterExecution.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
 #include "Private/Results.h"
-#include "Private/SlotTable.h"
+#include "Private/Tables.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
@@ -74,7 +73,7 @@ sw::RoundTrip RoundTripIn(vtkPolyData* input, const sw::PolyDataMesh& mesh, int 
       const sw::Index vertex = mesh.VertexOfPoint[point];
       if (vertex >= 0 && read.VertexOfPoint[point] >= 0)
       {
-        stored.VertexOf[static_cast<std::size_t>(vertex)] = read.VertexOfPoint[point];
+        stored.VertexOf[vertex] = read.VertexOfPoint[point];
       }
     }
     return stored;

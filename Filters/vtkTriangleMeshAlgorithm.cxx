@@ -61,13 +61,13 @@ int vtkTriangleMeshAlgorithm::Run(vtkInformationVector* outputs, const std::func
   {
     sw::CheckPieces(outputs);
     body();
-    this->SetAbortExecute(0);
+    sw::ResetAbort(this);
     return 1;
   }
   catch (const sw::Aborted&)
   {
     clear();
-    this->SetAbortExecute(0);
+    sw::ResetAbort(this);
     return 1;
   }
   catch (const sw::InvalidInput& error)

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTriangleMeshAlgorithm
- * @brief   Superclass of this module's filters: how they run, fail and stop
+ * @brief   Superclass of this module's filters, which decides how they run, fail and stop
  *
- * Bad input is answered with vtkErrorMacro, an error code and empty outputs: vtkErrorCode::UserError
- * where the user can correct it, vtkErrorCode::UnknownError where the solver failed or memory ran out.
- * The error is also there in parts, for programs that put their own name to a property.
+ * An error ends the run with vtkErrorMacro, an error code and empty outputs. The code is
+ * vtkErrorCode::UserError if the user can correct the input or a property, and
+ * vtkErrorCode::UnknownError if the solver failed or memory ran out. GetErrorParameter() and its
+ * companions return the error in parts, for programs that have their own names for the properties.
  *
- * An abort (SetAbortExecute(1), as from a progress observer) empties the outputs without an error. The
- * flag is reset when the filter has stopped, whichever VTK runs it: VTK before 9.3 resets it at the
- * start of every execution, later versions and ParaView from 5.11 on leave that to the caller. Call
- * Modified() to run the filter again.
+ * An abort (SetAbortExecute(1), for example in a progress observer) empties the outputs without an
+ * error. Call Modified() to run the filter again; the flag need not be reset. VTK before 9.3 resets it
+ * when an execution starts. Later versions, and ParaView from 5.11 on, leave that to the caller; there
+ * the filter resets it when it stops.
  *
- * Output port 0 is vtkPolyData; further ports are vtkTable.
+ * Output port 0 is a vtkPolyData; all further ports are vtkTables.
  */
 #ifndef vtkTriangleMeshAlgorithm_h
 #define vtkTriangleMeshAlgorithm_h
@@ -36,9 +37,9 @@ public:
 
   ///@{
   /**
-   * The error of the last run in parts: the property at fault ("" where none is, but the mesh), what is
-   * wrong, and what the user can do (may be ""). All are "" after a run without an error. The text of the
-   * error event is "<parameter>: <reason>; <advice>".
+   * Get the error of the last run in parts: the property at fault ("" if it is the mesh), the
+   * reason, and what the user can do (may be ""). All are "" after a run without an error. The text
+   * of the error event is "<parameter>: <reason>; <advice>".
    */
   const char* GetErrorParameter() const { return this->ErrorParameter.c_str(); }
   const char* GetErrorReason() const { return this->ErrorReason.c_str(); }
@@ -52,15 +53,15 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
 
   /**
-   * Runs what RequestData does and turns what it throws into VTK's terms, as the class says; returns
-   * what RequestData returns. Several pieces asked for, as in parallel runs, are an error: the filters
-   * need the whole mesh.
+   * Runs the body of RequestData and turns exceptions into errors and aborts as described above.
+   * Returns the value that RequestData returns. A request for one of several pieces, as in parallel
+   * runs, is an error, because the filters need the whole mesh.
    */
   int Run(vtkInformationVector* outputs, const std::function<void()>& body);
 
   /**
-   * Forgets the results of an earlier run. Run() calls it before the body, and after one that failed or
-   * was aborted.
+   * Resets the results of an earlier run. Run() calls this before the body, and again if the body
+   * failed or was aborted.
    */
   virtual void ResetResults() {}
 

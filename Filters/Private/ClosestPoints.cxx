@@ -2,6 +2,7 @@
 #include "Private/ClosestPoints.h"
 
 #include "Core/Support/Parallel.h"
+#include "Private/FilterExecution.h"
 #include "Private/PolyDataMesh.h"
 
 #include <vtkDataSet.h>
@@ -19,11 +20,15 @@ namespace spectralwatermark
 namespace
 {
 
+// The number of points that one task takes.
 constexpr Index PointsPerTask = 512;
-constexpr Index PointsPerReport = 64 * PointsPerTask; // an abort is answered in between
 
-// Of a triangle that hardly has an area, VTK's are anything.
-Eigen::RowVector3d MendedWeights(const Eigen::RowVector3d& weights)
+// The number of points from one progress report to the next. An abort takes effect at a report.
+constexpr Index PointsPerReport = 64 * PointsPerTask;
+
+// Non-negative weights with sum 1. The weights that VTK computes are arbitrary in a triangle with
+// almost no area.
+Eigen::RowVector3d ValidWeights(const Eigen::RowVector3d& weights)
 {
   const Eigen::RowVector3d inside = weights.cwiseMax(0.0).cwiseMin(1.0);
   const double sum = inside.sum();
@@ -40,15 +45,16 @@ SurfacePoint Closest(vtkStaticCellLocator* locator, vtkGenericCell* cell,
   {
     return found;
   }
-  found.Distance = (nearest.Point - point).norm();
-  locator->GetDataSet()->GetCell(nearest.Triangle, cell); // the search leaves the last one it tried
+  found.Distance = nearest.Distance;
+  // The search leaves the last cell that it tried, not the closest one.
+  locator->GetDataSet()->GetCell(nearest.Triangle, cell);
   double inside[3];
   double parametric[3];
   int subId = 0;
   double unused = 0.0;
   cell->EvaluatePosition(nearest.Point.data(), inside, subId, parametric, unused,
     found.Weights.data());
-  found.Weights = MendedWeights(found.Weights);
+  found.Weights = ValidWeights(found.Weights);
   return found;
 }
 
@@ -63,6 +69,7 @@ NearestPoint FindNearest(vtkStaticCellLocator* locator, vtkGenericCell* cell,
   double squared = 0.0;
   locator->FindClosestPoint(from.data(), nearest.Point.data(), cell, triangle, subId, squared);
   nearest.Triangle = triangle;
+  nearest.Distance = (nearest.Point - from).norm();
   return nearest;
 }
 
@@ -71,8 +78,8 @@ ClosestPoints::ClosestPoints(const TriangleMesh& surface)
   , PolyData(ToPolyData(surface, false))
 {
   this->Locator->SetDataSet(this->PolyData);
-  // Of triangles that are equally close, the one that comes first in its bin is taken: their order must
-  // not depend on threads.
+  // The locator returns the first of several equally close triangles in a bin. It is built
+  // sequentially, so that their order does not depend on threads.
   vtkSMPTools::LocalScope(vtkSMPTools::Config(std::string("Sequential")),
     [this]() { this->Locator->BuildLocator(); });
 }
@@ -82,7 +89,7 @@ ClosestPoints::~ClosestPoints() = default;
 std::vector<SurfacePoint> ClosestPoints::To(const TriangleMesh::PointMatrix& points, int threads,
   const Progress& progress) const
 {
-  std::vector<SurfacePoint> found(static_cast<std::size_t>(points.rows()));
+  std::vector<SurfacePoint> found(points.rows());
   for (Index begin = 0; begin < points.rows(); begin += PointsPerReport)
   {
     const Index end = std::min(points.rows(), begin + PointsPerReport);
@@ -93,7 +100,7 @@ std::vector<SurfacePoint> ClosestPoints::To(const TriangleMesh::PointMatrix& poi
         const Index last = std::min(end, begin + (task + 1) * PointsPerTask);
         for (Index p = begin + task * PointsPerTask; p < last; ++p)
         {
-          found[static_cast<std::size_t>(p)] = Closest(this->Locator, cell, points.row(p));
+          found[p] = Closest(this->Locator, cell, points.row(p));
         }
       });
     progress.Report(static_cast<double>(end) / static_cast<double>(points.rows()));
@@ -111,11 +118,10 @@ std::vector<SurfacePoint> ClosestPoints::To(const TriangleMesh::PointMatrix& poi
 Eigen::MatrixXd ClosestPoints::Interpolate(const Eigen::MatrixXd& values,
   const std::vector<SurfacePoint>& points) const
 {
-  Eigen::MatrixXd interpolated =
-    Eigen::MatrixXd::Zero(static_cast<Index>(points.size()), values.cols());
+  Eigen::MatrixXd interpolated = Eigen::MatrixXd::Zero(points.size(), values.cols());
   for (Index p = 0; p < interpolated.rows(); ++p)
   {
-    const SurfacePoint& point = points[static_cast<std::size_t>(p)];
+    const SurfacePoint& point = points[p];
     for (int corner = 0; corner < 3; ++corner)
     {
       interpolated.row(p) +=
@@ -123,6 +129,17 @@ Eigen::MatrixXd ClosestPoints::Interpolate(const Eigen::MatrixXd& values,
     }
   }
   return interpolated;
+}
+
+Eigen::MatrixXd TransferToVertices(const TriangleMesh& from, const Eigen::MatrixXd& values,
+  const TriangleMesh& to)
+{
+  if (SameTriangles(from, to))
+  {
+    return values;
+  }
+  const ClosestPoints closest(from);
+  return closest.Interpolate(values, closest.To(to.Points, ThreadsOfVtk(), Progress()));
 }
 
 } // namespace spectralwatermark

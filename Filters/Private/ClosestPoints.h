@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Points of one mesh's surface that are closest to points elsewhere.
+/// Finds the points of a surface that are closest to given points, and interpolates functions
+/// there.
 #ifndef SpectralWatermark_Private_ClosestPoints_h
 #define SpectralWatermark_Private_ClosestPoints_h
 
@@ -18,25 +19,28 @@ class vtkStaticCellLocator;
 namespace spectralwatermark
 {
 
-/// What a locator finds.
+/// The closest point of a surface that a locator finds.
 struct NearestPoint
 {
-  Index Triangle = -1; ///< -1: none has an area
+  Index Triangle = -1; ///< the triangle that contains the point; -1 if no triangle has an area
   Eigen::RowVector3d Point = Eigen::RowVector3d::Zero();
+  double Distance = 0.0; ///< from the point asked about
 };
 
-/// `cell` is where the locator works.
+/// The point of the locator's surface that is closest to `from`. The locator uses `cell` as
+/// workspace.
 NearestPoint FindNearest(vtkStaticCellLocator* locator, vtkGenericCell* cell,
   const Eigen::RowVector3d& from);
 
-/// A point of a surface: in a triangle, as a mean of its corners.
+/// A point of a surface, in barycentric coordinates.
 struct SurfacePoint
 {
   Index Triangle = -1;
-  Eigen::RowVector3d Weights; ///< of the corners, with sum 1
-  double Distance = 0.0;      ///< from the point that was asked for
+  Eigen::RowVector3d Weights; ///< the weights of the triangle's corners, with sum 1
+  double Distance = 0.0;      ///< from the point asked about
 };
 
+/// Finds closest points of one surface, for which it builds a locator. The surface must outlive it.
 class ClosestPoints
 {
 public:
@@ -47,11 +51,13 @@ public:
 
   const TriangleMesh& Mesh() const { return this->Surface; }
 
-  /// One for each row of `points`. Throws InvalidInput when the surface has only triangles without area.
+  /// The closest surface point for each row of `points`. Throws InvalidInput if no triangle of the
+  /// surface has an area, Aborted.
   std::vector<SurfacePoint> To(const TriangleMesh::PointMatrix& points, int threads,
     const Progress& progress) const;
 
-  /// `values` has a row for each vertex of the surface; the result one for each of the points.
+  /// Interpolates functions on the surface linearly: `values` has a row per vertex of the surface,
+  /// the result a row per surface point.
   Eigen::MatrixXd Interpolate(const Eigen::MatrixXd& values,
     const std::vector<SurfacePoint>& points) const;
 
@@ -60,6 +66,13 @@ private:
   vtkSmartPointer<vtkPolyData> PolyData;
   vtkNew<vtkStaticCellLocator> Locator;
 };
+
+/// Transfers functions from the vertices of one mesh to those of another. `values` has a row per
+/// vertex of `from`, the result a row per vertex of `to`. Meshes with the same triangles share
+/// their rows; otherwise the values are interpolated linearly at the closest point of the surface
+/// of `from`. Throws InvalidInput if no triangle of `from` has an area.
+Eigen::MatrixXd TransferToVertices(const TriangleMesh& from, const Eigen::MatrixXd& values,
+  const TriangleMesh& to);
 
 } // namespace spectralwatermark
 

@@ -22,13 +22,18 @@ namespace spectralwatermark
 namespace
 {
 
-// Observers can be slow (a window, a terminal): they are notified of every half percent.
+// The progress from one event to the next. Observers can be slow (a window, a terminal).
 constexpr double ProgressStep = 0.005;
 
-// Whether to stop. VTK from 9.3 on, and ParaView from 5.11 on, also ask upstream and a filter's container.
+// VTK 9.3, and the VTK of ParaView 5.11 before it, leave aborts to the caller: CheckAbort() also asks
+// upstream, and executions no longer reset AbortExecute.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220823)
+#define CALLER_RESETS_ABORT
+#endif
+
 bool MustStop(vtkAlgorithm* filter)
 {
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220823)
+#ifdef CALLER_RESETS_ABORT
   return filter->CheckAbort();
 #else
   return filter->GetAbortExecute() != 0;
@@ -36,6 +41,16 @@ bool MustStop(vtkAlgorithm* filter)
 }
 
 } // namespace
+
+void ResetAbort(vtkAlgorithm* filter)
+{
+#ifdef CALLER_RESETS_ABORT
+  filter->SetAbortExecute(0);
+#else
+  static_cast<void>(
+    filter); // its executive does, and still reads the flag at the end of this execution
+#endif
+}
 
 void EmptyOutputs(vtkInformationVector* outputs)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Progress, abort and checks that the filters' RequestData share.
+/// Progress, aborts and checks that all filters share in their RequestData.
 #ifndef SpectralWatermark_Private_FilterExecution_h
 #define SpectralWatermark_Private_FilterExecution_h
 
@@ -11,24 +11,29 @@ class vtkInformationVector;
 namespace spectralwatermark
 {
 
-/// Core progress that becomes the filter's progress events, and stops when the filter is aborted.
+/// A Progress that invokes the filter's progress events, and throws Aborted when the filter is
+/// aborted.
 Progress ProgressOf(vtkAlgorithm* filter);
 
-/// How many threads VTK's own filters would use (vtkSMPTools).
+/// The number of threads that VTK's own filters would use (vtkSMPTools).
 int ThreadsOfVtk();
 
-/// Throws InvalidInput for a value that is not finite: VTK's clamping lets those pass.
+/// Throws InvalidInput if the value is not finite, because VTK's clamping lets such values pass.
 void CheckFinite(const char* property, double value);
+
+/// Resets AbortExecute at the end of an execution, where VTK does not at the start of the next.
+void ResetAbort(vtkAlgorithm* filter);
 
 /// Empties the data objects of all output ports.
 void EmptyOutputs(vtkInformationVector* outputs);
 
-/// Throws InvalidInput when one of several pieces was requested: the filters need the whole mesh.
+/// Throws InvalidInput if one of several pieces was requested, because the filters need the whole
+/// mesh.
 void CheckPieces(vtkInformationVector* outputs);
 
-/// Runs a VTK filter inside ours: its progress becomes the range [begin, end] of ours, and an abort of ours
-/// stops it (and throws Aborted). Its error events stay inside: the caller examines its output and reports
-/// what an error means for ours.
+/// Runs a VTK filter as a step of ours. Its progress becomes the range [begin, end] of ours, and an
+/// abort of ours stops it and throws Aborted. Its error events are not passed on: the caller
+/// examines its output and reports what an error means for our filter.
 void RunInternalFilter(vtkAlgorithm* inner, vtkAlgorithm* outer, double begin, double end);
 
 } // namespace spectralwatermark

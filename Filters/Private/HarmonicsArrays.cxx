@@ -10,7 +10,6 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-#include <vtkTable.h>
 
 #include <string>
 
@@ -49,17 +48,13 @@ void AddFieldArray(vtkPolyData* output, const char* name, const Eigen::MatrixXd&
   output->GetFieldData()->AddArray(ToArray(name, values));
 }
 
-void AddColumn(vtkTable* table, const char* name, const Eigen::VectorXd& values)
-{
-  table->AddColumn(ToArray(name, values));
-}
-
+// The rows of a point array that belong to the vertices.
 Eigen::MatrixXd VertexRows(vtkDataArray* array, const PolyDataMesh& mesh, Index columns)
 {
-  Eigen::MatrixXd values(static_cast<Index>(mesh.PointOfVertex.size()), columns);
+  Eigen::MatrixXd values(mesh.PointOfVertex.size(), columns);
   for (Index vertex = 0; vertex < values.rows(); ++vertex)
   {
-    const vtkIdType point = mesh.PointOfVertex[static_cast<std::size_t>(vertex)];
+    const vtkIdType point = mesh.PointOfVertex[vertex];
     for (Index column = 0; column < columns; ++column)
     {
       values(vertex, column) = array->GetComponent(point, static_cast<int>(column));
@@ -80,19 +75,6 @@ void AttachHarmonics(vtkPolyData* output, const char* basisName, const PolyDataM
   AddFieldArray(output, SpectrumName, spectrum);
   AddFieldArray(output, SpectrumMagnitudeName, Magnitudes(spectrum));
   AddFieldArray(output, ResidualsName, harmonics.Residuals);
-}
-
-void FillSpectrumTable(vtkTable* table, const ManifoldHarmonics& harmonics,
-  const PolyDataMesh& mesh)
-{
-  const Spectrum spectrum = ForwardTransform(harmonics, mesh.Mesh.Points);
-  const Index count = harmonics.Eigenvalues.size();
-  AddColumn(table, "Component", Eigen::VectorXd::LinSpaced(count, 1.0, static_cast<double>(count)));
-  AddColumn(table, "Eigenvalue", harmonics.Eigenvalues);
-  AddColumn(table, "X", spectrum.col(0));
-  AddColumn(table, "Y", spectrum.col(1));
-  AddColumn(table, "Z", spectrum.col(2));
-  AddColumn(table, "Magnitude", Magnitudes(spectrum));
 }
 
 std::optional<ManifoldHarmonics> FindHarmonics(vtkPolyData* input, const char* basisName,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// How a basis travels down a pipeline in the arrays of a vtkPolyData.
+/// Stores manifold harmonics in the arrays of a vtkPolyData, in which they travel down a pipeline,
+/// and finds them there.
 #ifndef SpectralWatermark_Private_HarmonicsArrays_h
 #define SpectralWatermark_Private_HarmonicsArrays_h
 
@@ -8,38 +9,35 @@
 #include "Core/Support/Progress.h"
 #include "Private/PolyDataMesh.h"
 
-class vtkTable;
-
 namespace spectralwatermark
 {
 
-/// Name of the basis array unless a filter's ArrayName says otherwise.
+/// The default name of the basis array.
 extern const char* const DefaultBasisName;
 
-/// Adds the basis, masses, eigenvalues, residuals, spectrum and magnitudes.
+/// Adds the basis, the vertex masses, eigenvalues, residuals, spectrum and its magnitudes to the
+/// output (the arrays are those that vtkManifoldHarmonics documents).
 void AttachHarmonics(vtkPolyData* output, const char* basisName, const PolyDataMesh& mesh,
   const ManifoldHarmonics& harmonics);
 
-/// A row per harmonic: Component, Eigenvalue, X, Y, Z, Magnitude.
-void FillSpectrumTable(vtkTable* table, const ManifoldHarmonics& harmonics,
-  const PolyDataMesh& mesh);
-
-/// The first `count` harmonics (0: all) that the input carries, if they are a basis of its
-/// geometry as it is now; nothing when there are none, too few, or stale ones.
+/// The first `count` harmonics (0: all) that the input carries, if they still are a basis for its
+/// geometry under this mass matrix. Nothing if there are none, too few, or stale ones. Throws
+/// InvalidInput if the memory does not suffice.
 std::optional<ManifoldHarmonics> FindHarmonics(vtkPolyData* input, const char* basisName,
   const PolyDataMesh& mesh, MassMatrix mass, Index count);
 
-/// FindHarmonics() with lumped masses, or computed afresh; `eigensolves` counts the latter.
+/// The first `count` harmonics under the lumped mass matrix: those of the input if FindHarmonics()
+/// finds them, else newly computed ones. Each computation increments `eigensolves`.
 ManifoldHarmonics FindOrComputeHarmonics(vtkPolyData* input, const PolyDataMesh& mesh, Index count,
   const Progress& progress, int& eigensolves);
 
-/// A basis under either mass matrix: the first `count` harmonics (0: all) that the input carries,
-/// else, unless `count` is 0, lumped ones computed afresh. Throws InvalidInput when there are none
-/// and `count` is 0.
+/// The first `count` harmonics (0: all) under either mass matrix: those of the input if
+/// FindHarmonics() finds them, else newly computed lumped ones. Each computation increments
+/// `eigensolves`. Throws InvalidInput if none are found and `count` is 0.
 ManifoldHarmonics FindAnyOrComputeHarmonics(vtkPolyData* input, const char* basisName,
   const PolyDataMesh& mesh, Index count, const Progress& progress, int& eigensolves);
 
-/// Removes every array that AttachHarmonics() adds: for outputs whose points moved.
+/// Removes every array that AttachHarmonics() adds, from an output whose points have moved.
 void DropHarmonics(vtkPolyData* output, const char* basisName = DefaultBasisName);
 
 } // namespace spectralwatermark

@@ -3,6 +3,8 @@
 
 #include "Core/Support/Errors.h"
 #include "Core/Support/MemoryBudget.h"
+#include "Core/Support/Text.h"
+#include "Private/Reordering.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
@@ -17,8 +19,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <sstream>
 #include <string>
 
 namespace spectralwatermark
@@ -50,11 +50,13 @@ void CheckNotEmpty(vtkPolyData* input)
     "repair the mesh");
 }
 
-// Lengths to the sixth power are computed with.
+// The smallest size of a mesh. The sixth power of a length must not underflow.
 constexpr double SmallestSize = 1e-50;
+
+// The largest absolute value of a coordinate. The sixth power of a length must not overflow.
 constexpr double LargestCoordinate = 1e50;
 
-// visit(size, corners) for each cell.
+// Calls visit(size, corners) for each cell.
 template <typename Visit>
 void ForEachCell(vtkCellArray* cells, const Visit& visit)
 {
@@ -68,7 +70,8 @@ void ForEachCell(vtkCellArray* cells, const Visit& visit)
   }
 }
 
-// Before anything of VTK goes by these numbers.
+// Throws if a cell uses a point that does not exist. This must come before any VTK code that trusts
+// the ids.
 void CheckCorners(vtkCellArray* cells, vtkIdType pointCount)
 {
   ForEachCell(cells,
@@ -89,9 +92,7 @@ void CheckCorners(vtkCellArray* cells, vtkIdType pointCount)
 
 std::string Rounded(double value)
 {
-  std::ostringstream text;
-  text << value;
-  return text.str();
+  return TextOf(value);
 }
 
 void CheckPoint(vtkIdType id, const Eigen::Vector3d& point)
@@ -109,8 +110,8 @@ void CheckPoint(vtkIdType id, const Eigen::Vector3d& point)
   }
 }
 
-// Without the cells that are no surface, which vtkTriangleFilter crashes on. Points that are not finite
-// are found here: it leaves out polygons that it cannot triangulate.
+// The cells with at least three corners; vtkTriangleFilter crashes on others. Throws for points
+// that are not finite, because vtkTriangleFilter would leave out their polygons without an error.
 vtkSmartPointer<vtkCellArray> WithThreeCorners(vtkPoints* points, vtkCellArray* cells)
 {
   auto kept = vtkSmartPointer<vtkCellArray>::New();
@@ -132,7 +133,7 @@ vtkSmartPointer<vtkCellArray> WithThreeCorners(vtkPoints* points, vtkCellArray* 
   return kept;
 }
 
-// The same points, with nothing but triangles.
+// The polygons and strips of the input, divided into triangles of the same points.
 vtkSmartPointer<vtkCellArray> Triangulated(vtkPolyData* input)
 {
   const bool onlyTriangles =
@@ -156,7 +157,7 @@ vtkSmartPointer<vtkCellArray> Triangulated(vtkPolyData* input)
 std::vector<Triangle> TrianglesOf(vtkCellArray* cells)
 {
   std::vector<Triangle> triangles;
-  triangles.reserve(static_cast<std::size_t>(cells->GetNumberOfCells()));
+  triangles.reserve(cells->GetNumberOfCells());
   ForEachCell(cells,
     [&triangles](vtkIdType size, const vtkIdType* corners)
     {
@@ -168,20 +169,21 @@ std::vector<Triangle> TrianglesOf(vtkCellArray* cells)
   return triangles;
 }
 
+// The points that triangles use, in ascending order.
 std::vector<vtkIdType> UsedPoints(const std::vector<Triangle>& triangles, vtkIdType pointCount)
 {
-  std::vector<char> isUsed(static_cast<std::size_t>(pointCount), 0);
+  std::vector<char> isUsed(pointCount, 0);
   for (const Triangle& triangle : triangles)
   {
     for (const vtkIdType point : triangle)
     {
-      isUsed[static_cast<std::size_t>(point)] = 1;
+      isUsed[point] = 1;
     }
   }
   std::vector<vtkIdType> used;
   for (vtkIdType point = 0; point < pointCount; ++point)
   {
-    if (isUsed[static_cast<std::size_t>(point)] != 0)
+    if (isUsed[point] != 0)
     {
       used.push_back(point);
     }
@@ -189,8 +191,8 @@ std::vector<vtkIdType> UsedPoints(const std::vector<Triangle>& triangles, vtkIdT
   return used;
 }
 
-// For each row, one row that stands for all with exactly the same coordinates. Which of them it is
-// depends on the number of threads.
+// For each row, the row that represents all rows with exactly the same coordinates. Which of them
+// it is depends on the number of threads.
 std::vector<vtkIdType> RepresentativeRows(const TriangleMesh::PointMatrix& points)
 {
   vtkNew<vtkPoints> coordinates;
@@ -205,29 +207,22 @@ std::vector<vtkIdType> RepresentativeRows(const TriangleMesh::PointMatrix& point
   vtkNew<vtkStaticPointLocator> locator;
   locator->SetDataSet(cloud);
   locator->BuildLocator();
-  std::vector<vtkIdType> representatives(static_cast<std::size_t>(points.rows()));
+  std::vector<vtkIdType> representatives(points.rows());
   locator->MergePoints(0.0, representatives.data());
   return representatives;
 }
 
-std::vector<vtkIdType> Identity(std::size_t size)
-{
-  std::vector<vtkIdType> ids(size);
-  std::iota(ids.begin(), ids.end(), vtkIdType{ 0 });
-  return ids;
-}
-
-// The triangles by vertex, without those that lost a corner.
+// The triangles in terms of vertices, without those that have lost a corner.
 TriangleMesh::TriangleMatrix ProperTriangles(const std::vector<Triangle>& triangles,
   const std::vector<Index>& vertexOfPoint)
 {
-  TriangleMesh::TriangleMatrix proper(static_cast<Index>(triangles.size()), 3);
+  TriangleMesh::TriangleMatrix proper(triangles.size(), 3);
   Index kept = 0;
   for (const Triangle& triangle : triangles)
   {
-    const Index a = vertexOfPoint[static_cast<std::size_t>(triangle[0])];
-    const Index b = vertexOfPoint[static_cast<std::size_t>(triangle[1])];
-    const Index c = vertexOfPoint[static_cast<std::size_t>(triangle[2])];
+    const Index a = vertexOfPoint[triangle[0]];
+    const Index b = vertexOfPoint[triangle[1]];
+    const Index c = vertexOfPoint[triangle[2]];
     if (a != b && b != c && c != a)
     {
       proper.row(kept++) << a, b, c;
@@ -262,8 +257,9 @@ PolyDataMesh ToMesh(vtkPolyData* input, CoincidentPoints coincident)
   {
     CheckCorners(cells, pointCount);
   }
-  constexpr double bytesOfPolygon = 85.0; // at the peak, as measured of triangles
-  RequireMemoryForTriangles(input->GetNumberOfPolys(), bytesOfPolygon);
+  // The peak memory of the conversion. Testing/Benchmark/memory measures it for triangles.
+  constexpr double conversionBytesPerPolygon = 85.0;
+  RequireMemoryForTriangles(input->GetNumberOfPolys(), conversionBytesPerPolygon);
   const std::vector<Triangle> triangles = TrianglesOf(Triangulated(input));
   if (triangles.empty())
   {
@@ -272,21 +268,22 @@ PolyDataMesh ToMesh(vtkPolyData* input, CoincidentPoints coincident)
   const std::vector<vtkIdType> used = UsedPoints(triangles, pointCount);
 
   PolyDataMesh result;
-  result.VertexOfPoint.assign(static_cast<std::size_t>(pointCount), -1);
+  result.VertexOfPoint.assign(pointCount, -1);
   const std::vector<vtkIdType> representative = coincident == CoincidentPoints::Merge
     ? RepresentativeRows(CheckedPoints(input, used))
-    : Identity(used.size());
-  // Vertices are numbered in the order of their lowest points, whichever point represents them.
+    : IdentityOrder(static_cast<vtkIdType>(used.size()));
+  // Vertices are numbered in the order of their lowest points, no matter which point represents
+  // them.
   std::vector<Index> vertexOfRow(used.size(), -1);
   for (std::size_t i = 0; i < used.size(); ++i)
   {
-    Index& vertex = vertexOfRow[static_cast<std::size_t>(representative[i])];
+    Index& vertex = vertexOfRow[representative[i]];
     if (vertex < 0)
     {
       vertex = static_cast<Index>(result.PointOfVertex.size());
       result.PointOfVertex.push_back(used[i]);
     }
-    result.VertexOfPoint[static_cast<std::size_t>(used[i])] = vertex;
+    result.VertexOfPoint[used[i]] = vertex;
   }
   result.Mesh.Points = CheckedPoints(input, result.PointOfVertex);
   result.Mesh.Triangles = ProperTriangles(triangles, result.VertexOfPoint);
@@ -296,12 +293,12 @@ PolyDataMesh ToMesh(vtkPolyData* input, CoincidentPoints coincident)
 
 TriangleMesh::PointMatrix PointsOf(vtkPolyData* mesh, const std::vector<vtkIdType>& ids)
 {
-  TriangleMesh::PointMatrix points(static_cast<Index>(ids.size()), 3);
+  TriangleMesh::PointMatrix points(ids.size(), 3);
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
     double p[3];
     mesh->GetPoint(ids[i], p);
-    points.row(static_cast<Index>(i)) << p[0], p[1], p[2];
+    points.row(i) << p[0], p[1], p[2];
   }
   return points;
 }
@@ -311,7 +308,7 @@ TriangleMesh::PointMatrix CheckedPoints(vtkPolyData* input, const std::vector<vt
   TriangleMesh::PointMatrix points = PointsOf(input, ids);
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
-    CheckPoint(ids[i], points.row(static_cast<Index>(i)));
+    CheckPoint(ids[i], points.row(i));
   }
   return points;
 }
@@ -367,11 +364,11 @@ vtkSmartPointer<vtkDoubleArray> ToPointArray(const char* name, const PolyDataMes
     const Index vertex = mesh.VertexOfPoint[point];
     if (vertex >= 0)
     {
-      tuples.row(static_cast<Index>(point)) = values.row(vertex);
+      tuples.row(point) = values.row(vertex);
     }
     else
     {
-      tuples.row(static_cast<Index>(point)).setZero();
+      tuples.row(point).setZero();
     }
   }
   return array;
@@ -396,7 +393,7 @@ void SetPoints(vtkPolyData* output, vtkPolyData* input, const PolyDataMesh& mesh
   moved->SetNumberOfPoints(input->GetNumberOfPoints());
   for (vtkIdType point = 0; point < input->GetNumberOfPoints(); ++point)
   {
-    const Index vertex = mesh.VertexOfPoint[static_cast<std::size_t>(point)];
+    const Index vertex = mesh.VertexOfPoint[point];
     if (vertex >= 0)
     {
       moved->SetPoint(point, points(vertex, 0), points(vertex, 1), points(vertex, 2));

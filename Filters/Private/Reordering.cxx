@@ -28,6 +28,7 @@ vtkSmartPointer<vtkIdList> IdList(const std::vector<vtkIdType>& ids)
   return list;
 }
 
+// Copies the tuples with these ids, in this order.
 void CopyAttributes(vtkDataSetAttributes* from, vtkDataSetAttributes* to,
   const std::vector<vtkIdType>& ids)
 {
@@ -40,7 +41,8 @@ void CopyAttributes(vtkDataSetAttributes* from, vtkDataSetAttributes* to,
   to->CopyData(from, source, target);
 }
 
-// Cells of one kind in this order, without those that have lost a point; `kept` gets their ids.
+// Copies cells of one kind in this order, without those that have lost a point, and appends the ids
+// of the copied ones to `kept`.
 vtkSmartPointer<vtkCellArray> CopyCells(vtkCellArray* cells, const std::vector<vtkIdType>& order,
   const std::vector<vtkIdType>& newPoint, vtkIdType firstId, std::vector<vtkIdType>& kept)
 {
@@ -50,7 +52,7 @@ vtkSmartPointer<vtkCellArray> CopyCells(vtkCellArray* cells, const std::vector<v
   {
     cells->GetCellAtId(cell, corners);
     std::transform(corners->begin(), corners->end(), corners->begin(),
-      [&newPoint](vtkIdType point) { return newPoint[static_cast<std::size_t>(point)]; });
+      [&newPoint](vtkIdType point) { return newPoint[point]; });
     if (std::find(corners->begin(), corners->end(), -1) == corners->end())
     {
       copied->InsertNextCell(corners);
@@ -64,7 +66,7 @@ vtkSmartPointer<vtkCellArray> CopyCells(vtkCellArray* cells, const std::vector<v
 
 std::vector<vtkIdType> IdentityOrder(vtkIdType count)
 {
-  std::vector<vtkIdType> order(static_cast<std::size_t>(count));
+  std::vector<vtkIdType> order(count);
   std::iota(order.begin(), order.end(), vtkIdType{ 0 });
   return order;
 }
@@ -72,10 +74,10 @@ std::vector<vtkIdType> IdentityOrder(vtkIdType count)
 vtkSmartPointer<vtkPolyData> ExtractPoints(vtkPolyData* input, const std::vector<vtkIdType>& points,
   const std::vector<vtkIdType>& polygons)
 {
-  std::vector<vtkIdType> newPoint(static_cast<std::size_t>(input->GetNumberOfPoints()), -1);
+  std::vector<vtkIdType> newPoint(input->GetNumberOfPoints(), -1);
   for (std::size_t k = 0; k < points.size(); ++k)
   {
-    newPoint[static_cast<std::size_t>(points[k])] = static_cast<vtkIdType>(k);
+    newPoint[points[k]] = static_cast<vtkIdType>(k);
   }
   auto output = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> moved;
@@ -85,7 +87,7 @@ vtkSmartPointer<vtkPolyData> ExtractPoints(vtkPolyData* input, const std::vector
   output->SetPoints(moved);
   CopyAttributes(input->GetPointData(), output->GetPointData(), points);
 
-  // Ids of cells count through vertices, lines, polygons and strips.
+  // Cell ids run through vertices, lines, polygons and strips, in this order.
   std::vector<vtkIdType> kept;
   vtkIdType first = 0;
   const auto copy = [&](vtkCellArray* cells, const std::vector<vtkIdType>& order)

@@ -34,18 +34,20 @@ namespace spectralwatermark
 namespace
 {
 
-// Of uniform remeshing at its peak, for each triangle that it splits the surface into: 190 to 470 were
-// measured.
-constexpr double BytesOfPiece = 400.0;
+// The peak memory of uniform remeshing per triangle that it adds when it splits the surface. It
+// depends on the shape, and Testing/Benchmark/memory measures it for needles.
+constexpr double BytesPerPiece = 400.0;
 
-// vtkQuadricClustering keeps 88 for each cell of its grid, also for the empty ones.
-constexpr double BytesOfCell = 100.0;
+// The memory of vtkQuadricClustering per cell of its grid, in bytes. It keeps 88 per cell, for
+// empty cells as well. Testing/Benchmark/memory measures it.
+constexpr double BytesPerCell = 100.0;
 
-// Around a sphere there are about a tenth of N^1.5 cells for N vertices; this is a thousand times that.
+// The largest number of grid cells for N vertices, divided by N^1.5. A sphere takes about a tenth;
+// the limit is a thousand times that.
 constexpr double MostCells = 100.0;
 
-// An ordinary surface is split into some 20 triangles for each vertex, one of needles 1000 times as long
-// as wide into 900.
+// The largest number of triangles, per vertex of the result, into which a surface may be split. An
+// ordinary surface takes about 20, one of needles 1000 times as long as wide takes 900.
 constexpr double MostPieces = 1000.0;
 
 bool IsClosed(const TriangleMesh& mesh)
@@ -56,19 +58,22 @@ bool IsClosed(const TriangleMesh& mesh)
   return isClosed;
 }
 
-// Of the grid and of the triangles, of which there are about two and a half for each square of its
-// steps.
+// The memory of the grid and of the isosurface's triangles, in bytes. A square of the surface with
+// a grid step as its side takes about two and a half triangles.
 double MemoryOfIsosurface(const TriangleMesh& mesh, int resolution)
 {
-  constexpr double bytesOfNode = 6.0;
-  constexpr double bytesOfSquare = 1000.0;
+  // The memory per node of the grid, and per such square, in bytes. Testing/Benchmark/memory
+  // measures them.
+  constexpr double bytesPerNode = 6.0;
+  constexpr double bytesPerSquare = 1000.0;
   const Eigen::Array3d size = mesh.Points.colwise().maxCoeff() - mesh.Points.colwise().minCoeff();
   const double step = size.maxCoeff() / resolution;
-  return bytesOfNode * (size / step + 7.0).prod() +
-    bytesOfSquare * VertexAreas(mesh).sum() / (step * step);
+  return bytesPerNode * (size / step + 7.0).prod() +
+    bytesPerSquare * VertexAreas(mesh).sum() / (step * step);
 }
 
-// The grid of cells with about this side.
+// The number of cells along each axis of a grid over the bounding box whose cells have about this
+// side.
 std::array<double, 3> Grid(vtkPolyData* mesh, double side)
 {
   double bounds[6];
@@ -82,6 +87,7 @@ std::array<double, 3> Grid(vtkPolyData* mesh, double side)
   return divisions;
 }
 
+// A fine surface with the vertices in each cell of the grid merged into one.
 vtkSmartPointer<vtkPolyData> Cluster(vtkPolyData* fine, const std::array<double, 3>& grid)
 {
   vtkNew<vtkQuadricClustering> cluster;
@@ -107,8 +113,9 @@ double LongestEdge(const TriangleMesh& mesh, Index triangle)
   return longest;
 }
 
-// About so many triangles come in addition when edges are halved until none is longer than this. Each
-// halving leaves four of a triangle; where one edge is short already, three, of which two are as thin.
+// An estimate of the number of triangles that are added when edges are halved until none is longer
+// than `edge`. Halving makes four triangles of one, or three if one edge is short already; two of
+// these three are as thin as the one before.
 double NumberOfNewPieces(const TriangleMesh& mesh, double edge)
 {
   double pieces = 0.0;
@@ -132,7 +139,7 @@ void RequireMemoryToRemesh(double bytes, Index count)
   RequireMemory(bytes, std::to_string(count) + " vertices", "lower it", "RemeshingPercent");
 }
 
-// Of the pieces. Throws also where there would be no end of them.
+// The memory of the split surface, in bytes. Throws if it would have far too many triangles.
 double MemoryOfSplitting(const TriangleMesh& mesh, double edge, Index count)
 {
   const double pieces = NumberOfNewPieces(mesh, edge);
@@ -140,10 +147,10 @@ double MemoryOfSplitting(const TriangleMesh& mesh, double edge, Index count)
   {
     RefuseAsTooThin();
   }
-  return BytesOfPiece * pieces;
+  return BytesPerPiece * pieces;
 }
 
-// Of the grid. Throws also where there would be no end of its cells.
+// The memory of the clustering grid, in bytes. Throws if it would have far too many cells.
 double MemoryOfClustering(const std::array<double, 3>& grid, Index count)
 {
   const double cells = grid[0] * grid[1] * grid[2];
@@ -151,14 +158,14 @@ double MemoryOfClustering(const std::array<double, 3>& grid, Index count)
   {
     RefuseAsTooThin();
   }
-  return BytesOfCell * cells;
+  return BytesPerCell * cells;
 }
 
-// No edge longer than this; what meets stays together.
+// Splits the surface until no edge is longer than `edge`, without opening gaps between triangles.
 vtkSmartPointer<vtkPolyData> Split(vtkPolyData* coarse, double edge, vtkAlgorithm* filter)
 {
-  // The filter's own locator has cells for the points that come in, and would search long lists of those
-  // that it adds.
+  // The filter's own locator has bins for the incoming points only, and would search long lists of
+  // the points that are added.
   vtkNew<vtkIncrementalOctreePointLocator> locator;
   locator->SetTolerance(0.0);
   vtkNew<vtkAdaptiveSubdivisionFilter> split;
@@ -198,7 +205,7 @@ TriangleMesh Subdivide(const TriangleMesh& mesh, Subdivision kind, int times, vt
 
 TriangleMesh ResampleUniformly(const TriangleMesh& mesh, Index count, vtkAlgorithm* filter)
 {
-  // A surface passes through about so many cells per area of a cell's side.
+  // A surface passes through about 1.5 grid cells per area of a cell's side.
   double step = std::sqrt(1.5 * VertexAreas(mesh).sum() / static_cast<double>(count));
   const auto coarse = ToPolyData(mesh, false);
   const double edge = 0.5 * step;
@@ -210,7 +217,8 @@ TriangleMesh ResampleUniformly(const TriangleMesh& mesh, Index count, vtkAlgorit
   for (int pass = 0; pass < 4; ++pass)
   {
     const std::array<double, 3> grid = Grid(coarse, step);
-    RequireMemoryToRemesh(MemoryOfClustering(grid, count), count); // the pieces are there
+    // The split surface exists already, so only the grid needs memory.
+    RequireMemoryToRemesh(MemoryOfClustering(grid, count), count);
     clustered = Cluster(fine, grid);
     progress.Report(0.7 + 0.07 * (pass + 1));
     const auto points = static_cast<double>(std::max<vtkIdType>(1, clustered->GetNumberOfPoints()));
@@ -241,8 +249,9 @@ TriangleMesh ResampleByIsosurface(const TriangleMesh& mesh, int resolution, vtkA
     "IsosurfaceResolution");
   const vtkSmartPointer<vtkImageData> distances =
     SignedDistances(Oriented(mesh), resolution, ProgressOf(filter).Part(0.1, 0.9));
-  constexpr double nearly = 1e-3; // of a step: around such a node there is next to no surface
-  if (distances->GetScalarRange()[0] > -nearly * distances->GetSpacing()[0])
+  // The depth of the deepest node, in steps, below which the isosurface would be almost empty.
+  constexpr double smallestDepth = 1e-3;
+  if (distances->GetScalarRange()[0] > -smallestDepth * distances->GetSpacing()[0])
   {
     throw InvalidInput("IsosurfaceResolution", "the solid is thinner than a step of the grid",
       "raise it");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The same surface with other triangles, by VTK's own filters.
+/// Changes the triangles of a surface, but hardly its shape, with VTK's own filters.
 #ifndef SpectralWatermark_Private_Resampling_h
 #define SpectralWatermark_Private_Resampling_h
 
@@ -10,25 +10,29 @@ class vtkAlgorithm;
 namespace spectralwatermark
 {
 
+/// The subdivision rules that VTK provides.
 enum class Subdivision
 {
-  Midpoint, ///< every triangle into four, in its plane
-  Loop      ///< Loop's, which smooths; the surface must be manifold
+  Midpoint, ///< divides every triangle into four, in its plane
+  Loop      ///< Loop's rule, which smooths; the surface must be manifold
 };
 
-/// So many times, by vtkLinearSubdivisionFilter or vtkLoopSubdivisionFilter. Throws InvalidInput
-/// where they cannot.
+/// Subdivides a mesh `times` times, by vtkLinearSubdivisionFilter or vtkLoopSubdivisionFilter.
+/// Progress and abort go through `filter`. Throws InvalidInput if the surface cannot be subdivided,
+/// Aborted.
 TriangleMesh Subdivide(const TriangleMesh& mesh, Subdivision kind, int times, vtkAlgorithm* filter);
 
-/// Vertices about equally far from each other, about `count` of them: triangles split until all
-/// are small, then vertices gathered in the cells of a grid, each where its quadric error is least
-/// (vtkAdaptiveSubdivisionFilter, vtkQuadricClustering). Throws InvalidInput when nothing is left, and
-/// where the grid would be too fine or the triangles too many: all of them take memory.
+/// Resamples a surface with about `count` vertices at about equal distances. All triangles are
+/// split until they are small; then the vertices in each cell of a grid are merged into one, where
+/// the quadric error is smallest (vtkAdaptiveSubdivisionFilter, vtkQuadricClustering). Progress and
+/// abort go through `filter`. Throws InvalidInput if no triangle is left, or if the grid would be
+/// too fine or the triangles too many for the memory; Aborted.
 TriangleMesh ResampleUniformly(const TriangleMesh& mesh, Index count, vtkAlgorithm* filter);
 
-/// The zero level of the signed distance to the surface, on a grid with `resolution` steps along
-/// the longest side of the bounding box (vtkStaticCellLocator, vtkFlyingEdges3D). Throws
-/// InvalidInput for a surface that is not closed.
+/// Resamples a surface as the zero level of its signed distance, on a grid with `resolution` steps
+/// along the longest side of the bounding box (vtkStaticCellLocator, vtkFlyingEdges3D). Progress
+/// and abort go through `filter`. Throws InvalidInput if the surface is not closed or thinner than
+/// a step, or if the memory does not suffice; Aborted.
 TriangleMesh ResampleByIsosurface(const TriangleMesh& mesh, int resolution, vtkAlgorithm* filter);
 
 } // namespace spectralwatermark

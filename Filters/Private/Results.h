@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// A filter's figures as field data of an output, where applications without access to getters
-/// (ParaView's Information panel and spreadsheets) find them.
+/// Adds the results of a filter to the field data of an output, where applications that cannot call
+/// getters (ParaView's Information panel and spreadsheets) find them.
 #ifndef SpectralWatermark_Private_Results_h
 #define SpectralWatermark_Private_Results_h
 
@@ -13,11 +13,11 @@ class vtkDataObject;
 namespace spectralwatermark
 {
 
-/// An array of one value for each figure.
+/// Adds an array of one value for each figure.
 void AddResults(vtkDataObject* output,
   std::initializer_list<std::pair<const char*, double>> figures);
 
-/// An array of one string.
+/// Adds an array of one string.
 void AddResult(vtkDataObject* output, const char* name, const std::string& text);
 
 } // namespace spectralwatermark

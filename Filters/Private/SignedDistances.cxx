@@ -23,21 +23,23 @@ namespace spectralwatermark
 namespace
 {
 
-// Around the surface, in steps.
+// The number of grid steps on each side of the surface's bounding box.
 constexpr int Margin = 3;
 
-// Distances are computed so many steps around every triangle: enough for the zero level.
+// The number of steps around every triangle within which distances are computed: enough for the
+// zero level.
 constexpr int Band = 2;
 
 using Point = Eigen::RowVector3d;
 
-// Where a line along x enters (1) or leaves (-1) the solid.
+// A place where a line along x crosses the surface.
 struct Crossing
 {
   double X;
-  int Turns;
+  int Turns; // 1 where the line enters the solid, -1 where it leaves it
 };
 
+// The grid of distances, which are computed first and negated inside the solid afterwards.
 class Grid
 {
 public:
@@ -57,8 +59,9 @@ public:
     this->Image->SetSpacing(this->Step, this->Step, this->Step);
     this->Image->AllocateScalars(VTK_FLOAT, 1);
     this->Values = static_cast<float*>(this->Image->GetScalarPointer());
+    // All points are far away until a distance is computed.
     std::fill_n(this->Values, this->Image->GetNumberOfPoints(),
-      static_cast<float>(Band * this->Step)); // far away
+      static_cast<float>(Band * this->Step));
   }
 
   void ComputeDistances(const Progress& progress);
@@ -68,26 +71,20 @@ public:
 
 private:
   Point At(int x, int y, int z) const { return this->Origin + this->Step * Point(x, y, z); }
-  std::size_t Number(int x, int y, int z) const
-  {
-    return static_cast<std::size_t>(x) + static_cast<std::size_t>(this->Size[0]) * this->Row(y, z);
-  }
-  std::size_t Row(int y, int z) const
-  {
-    return static_cast<std::size_t>(y) +
-      static_cast<std::size_t>(this->Size[1]) * static_cast<std::size_t>(z);
-  }
+  std::size_t Number(int x, int y, int z) const { return x + this->Size[0] * this->Row(y, z); }
+  std::size_t Row(int y, int z) const { return y + static_cast<std::size_t>(this->Size[1]) * z; }
   Point Corner(Index triangle, int corner) const
   {
     return this->Mesh.Points.row(this->Mesh.Triangles(triangle, corner));
   }
 
-  // The grid's points within so many steps of the triangle's box, [First, Last] along each axis.
+  // The first and the last grid point of a box along each axis.
   struct Box
   {
     std::array<int, 3> First;
     std::array<int, 3> Last;
   };
+  // The grid points within `steps` of the triangle's bounding box.
   Box Around(Index triangle, int steps) const;
 
   double DistanceFrom(const Point& point);
@@ -100,7 +97,7 @@ private:
   float* Values = nullptr;
   std::vector<bool> Known;
   vtkNew<vtkStaticCellLocator> Locator;
-  vtkNew<vtkGenericCell> Cell; // where the locator works
+  vtkNew<vtkGenericCell> Cell; // the workspace of the locator
   std::array<int, 3> Size = {};
   Point Origin;
   double Step = 1.0;
@@ -127,19 +124,19 @@ Grid::Box Grid::Around(Index triangle, int steps) const
   return box;
 }
 
-// Far away where there is no triangle to measure from.
+// The distance of a point from the surface; far away if no triangle has an area.
 double Grid::DistanceFrom(const Point& point)
 {
   const NearestPoint nearest = FindNearest(this->Locator, this->Cell, point);
-  return nearest.Triangle < 0 ? Band * this->Step : (nearest.Point - point).norm();
+  return nearest.Triangle < 0 ? Band * this->Step : nearest.Distance;
 }
 
 void Grid::ComputeAround(Index triangle)
 {
   const Box box = this->Around(triangle, Band - 1);
   const Point corner = this->Corner(triangle, 0);
-  const Point normal =
-    AreaVector(this->Mesh, triangle).normalized(); // 0 without area: is near everything
+  // A triangle without area has the normal 0, for which every point counts as near.
+  const Point normal = AreaVector(this->Mesh, triangle).normalized();
   for (int z = box.First[2]; z <= box.Last[2]; ++z)
   {
     for (int y = box.First[1]; y <= box.Last[1]; ++y)
@@ -148,7 +145,7 @@ void Grid::ComputeAround(Index triangle)
       {
         const std::size_t number = this->Number(x, y, z);
         const Point point = this->At(x, y, z);
-        // Large triangles fill a small part of their boxes.
+        // A large triangle fills a small part of its box, so points far from its plane are skipped.
         if (!this->Known[number] && std::abs(normal.dot(point - corner)) <= 2.0 * Band * this->Step)
         {
           this->Known[number] = true;
@@ -161,7 +158,7 @@ void Grid::ComputeAround(Index triangle)
 
 void Grid::ComputeDistances(const Progress& progress)
 {
-  this->Known.assign(static_cast<std::size_t>(this->Image->GetNumberOfPoints()), false);
+  this->Known.assign(this->Image->GetNumberOfPoints(), false);
   this->Locator->SetDataSet(ToPolyData(this->Mesh, false));
   this->Locator->BuildLocator();
   const Index triangles = this->Mesh.NumberOfTriangles();
@@ -175,8 +172,9 @@ void Grid::ComputeDistances(const Progress& progress)
   }
 }
 
-// How often the triangle, seen along x, goes around the point (y, z). Of triangles with a common edge,
-// one counts a point on it: ends are half open, and both compute the same place on the edge.
+// How often the boundary of the triangle, seen along x, winds around the point (y, z). Of two
+// triangles with a common edge, exactly one counts a point on it: intervals are half open, and both
+// triangles compute the same place on the edge.
 int Grid::TurnsAbout(Index triangle, double y, double z) const
 {
   int turns = 0;

@@ -217,8 +217,6 @@ TEST(Pipeline, AbortEmptiesTheOutputWithoutAnError)
       EXPECT_EQ(filter->GetErrorCode(), 0u) << NameOf(filter);
       EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << NameOf(filter);
     }
-    // VTK from 9.3 on leaves the flag to the caller; a filter that kept it would never run again.
-    EXPECT_EQ(filter->GetAbortExecute(), 0) << NameOf(filter);
     // Once modified, the filter works as if nothing had happened.
     filter->Modified();
     filter->Update();

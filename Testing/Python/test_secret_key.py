@@ -13,7 +13,7 @@ from vtkmodules.vtkIOPLY import vtkPLYReader
 
 ROOT = Path(__file__).resolve().parents[2]
 PEBBLE = ROOT / "Data" / "pebble.ply"
-PINNED_IN = ROOT / "Testing" / "Core" / "TestSecretKey.cxx"
+PINNED_IN = ROOT / "Testing" / "Core" / "Payload" / "TestSecretKey.cxx"
 POSITIONS, KEYSTREAM, MESSAGE, WAVES, DITHERS, CARRIER_KEYSTREAM, CHECK = range(1, 8)
 BITS = 12
 

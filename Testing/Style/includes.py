@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks who includes whom in Filters/: the rooms of Core, the folder Private, the filters."""
+"""Checks who includes whom in Filters/: the folders of Core, the folder Private, the filters."""
 
 import re
 import sys
@@ -8,7 +8,7 @@ from pathlib import Path
 
 FILTERS = Path(__file__).resolve().parents[2] / "Filters"
 
-# What each room may include besides itself; what those rooms include comes with them.
+# What each folder may include besides itself; what those folders include comes with them.
 ROOMS = {
     "Core/Support": [],
     "Core/Mesh": ["Core/Support"],

@@ -16,20 +16,22 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
 
 set(same_version "(= ${PROJECT_VERSION})")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libspectralwatermark0.1)
+# Named after the library's SOVERSION.
+set(library_package libspectralwatermark${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME ${library_package})
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION
   "Manifold harmonics and blind watermarking of triangle meshes: the VTK filters.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libspectralwatermark-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libspectralwatermark0.1 ${same_version}, libvtk9-dev")
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Headers and the CMake package of libspectralwatermark0.1.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${library_package} ${same_version}, libvtk9-dev")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Headers and the CMake package of ${library_package}.")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-spectralwatermark)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-  "libspectralwatermark0.1 ${same_version}, python3, python3-vtk9, python3-numpy")
+  "${library_package} ${same_version}, python3, python3-vtk9, python3-numpy")
 # For spectralwatermark.report; everything else works without them.
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-jinja2, python3-matplotlib")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION

@@ -73,7 +73,7 @@ TriangleMesh::PointMatrix Quantize(const TriangleMesh& mesh, int bits)
 
 SimilarityTransform RandomSimilarity(const TriangleMesh& mesh, std::uint64_t seed)
 {
-  // A uniform unit quaternion is a normal vector of unit length.
+  // A normally distributed vector of length 1 is a uniformly distributed unit quaternion.
   Eigen::Vector4d quaternion;
   for (Index k = 0; k < 4; ++k)
   {

@@ -42,7 +42,8 @@ TriangleMesh SubdivideOnce(const TriangleMesh& mesh)
         triangles.push_back({ a, b, middle });
         continue;
       }
-      if (both[0] == t) // once for both sides
+      // The two triangles across the flipped edge are added once, by the first of its two sides.
+      if (both[0] == t)
       {
         triangles.push_back({ a, n + both[1], middle });
         triangles.push_back({ n + both[1], b, middle });

@@ -10,8 +10,8 @@ namespace spectralwatermark
 namespace
 {
 
-// How far along from p, which is inside, to q the sphere is met: the positive root of
-// |p - o + t (q - p)| = r.
+// The share of the way from p, which is inside the ball, to q at which the sphere is met: the
+// positive root t of |p - centre + t (q - p)| = radius.
 double ShareInside(const Eigen::RowVector3d& p, const Eigen::RowVector3d& q,
   const Eigen::RowVector3d& centre, double radius)
 {
@@ -28,13 +28,13 @@ double ShareInside(const Eigen::RowVector3d& p, const Eigen::RowVector3d& q,
 BallNeighbourhood::BallNeighbourhood(const TriangleMesh& mesh)
   : Surface(mesh)
   , Connectivity(mesh)
-  , Starts(static_cast<std::size_t>(mesh.NumberOfVertices()) + 1, 0)
+  , Starts(mesh.NumberOfVertices() + 1, 0)
   , EdgesOfVertices(2 * this->Edges().size())
 {
   for (const auto& [i, j] : this->Edges())
   {
-    ++this->Starts[static_cast<std::size_t>(i) + 1];
-    ++this->Starts[static_cast<std::size_t>(j) + 1];
+    ++this->Starts[i + 1];
+    ++this->Starts[j + 1];
   }
   for (std::size_t v = 1; v < this->Starts.size(); ++v)
   {
@@ -45,16 +45,15 @@ BallNeighbourhood::BallNeighbourhood(const TriangleMesh& mesh)
   {
     for (const Index v : { this->Edges()[e].first, this->Edges()[e].second })
     {
-      Index& at = next[static_cast<std::size_t>(v)];
-      this->EdgesOfVertices[static_cast<std::size_t>(at++)] = static_cast<Index>(e);
+      Index& at = next[v];
+      this->EdgesOfVertices[at++] = static_cast<Index>(e);
     }
   }
 }
 
 BallNeighbourhood::Workspace BallNeighbourhood::MakeWorkspace() const
 {
-  return { std::vector<Index>(static_cast<std::size_t>(this->Surface.NumberOfVertices()), -1), {},
-    {} };
+  return { std::vector<Index>(this->Surface.NumberOfVertices(), -1), {}, {} };
 }
 
 void BallNeighbourhood::Around(Index centre, double radius, Workspace& workspace) const
@@ -63,15 +62,16 @@ void BallNeighbourhood::Around(Index centre, double radius, Workspace& workspace
   const Eigen::RowVector3d origin = points.row(centre);
   workspace.Inside.assign(1, centre);
   workspace.ClippedEdges.clear();
-  workspace.Visitor[static_cast<std::size_t>(centre)] = centre;
-  for (std::size_t at = 0; at < workspace.Inside.size(); ++at) // grows as it goes
+  workspace.Visitor[centre] = centre;
+  // The loop appends to the vertices that it runs over.
+  for (std::size_t at = 0; at < workspace.Inside.size(); ++at)
   {
     const Index v = workspace.Inside[at];
-    const Index end = this->Starts[static_cast<std::size_t>(v) + 1];
-    for (Index k = this->Starts[static_cast<std::size_t>(v)]; k < end; ++k)
+    const Index end = this->Starts[v + 1];
+    for (Index k = this->Starts[v]; k < end; ++k)
     {
-      const Index edge = this->EdgesOfVertices[static_cast<std::size_t>(k)];
-      const auto& [first, second] = this->Edges()[static_cast<std::size_t>(edge)];
+      const Index edge = this->EdgesOfVertices[k];
+      const auto& [first, second] = this->Edges()[edge];
       const Index w = first == v ? second : first;
       if ((points.row(w) - origin).squaredNorm() >= radius * radius)
       {
@@ -79,13 +79,14 @@ void BallNeighbourhood::Around(Index centre, double radius, Workspace& workspace
           { edge, v, w, ShareInside(points.row(v), points.row(w), origin, radius) });
         continue;
       }
-      Index& visitor = workspace.Visitor[static_cast<std::size_t>(w)];
+      Index& visitor = workspace.Visitor[w];
       if (visitor != centre)
       {
         visitor = centre;
         workspace.Inside.push_back(w);
       }
-      if (v < w) // else it is taken from there
+      // An edge with both ends inside is added from its smaller end only.
+      if (v < w)
       {
         workspace.ClippedEdges.push_back({ edge, v, w, 1.0 });
       }

@@ -7,8 +7,8 @@ namespace spectralwatermark
 TriangleMesh::PointMatrix GeometricLaplacian(const std::vector<Edge>& edges,
   const TriangleMesh::PointMatrix& points)
 {
-  // sum_j (v_i - v_j) / l_ij over sum_j 1 / l_ij: differences first, so that models far from the
-  // origin lose no digits.
+  // sum_j (v_i - v_j) / l_ij divided by sum_j 1 / l_ij. The differences come first, so that models
+  // far from the origin lose no digits.
   TriangleMesh::PointMatrix sum = TriangleMesh::PointMatrix::Zero(points.rows(), 3);
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(points.rows());
   std::vector<Index> coincident;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Distortion/StructuralDistortion.h"
 
+#include "Core/Mesh/Measures.h"
 #include "Core/Support/Parallel.h"
 
 #include <Eigen/Eigenvalues>
@@ -17,9 +18,10 @@ namespace
 
 using Eigen::VectorXd;
 
+// The number of vertices that one task takes.
 constexpr Index VerticesPerTask = 2048;
 
-// Calls work(vertex, workspace) for every vertex, with rooms that each thread uses in turn.
+// Calls work(vertex, workspace) for every vertex. Each task has a workspace of its own.
 template <typename Work>
 void ForEachVertex(const BallNeighbourhood& balls, int threads, const Work& work)
 {
@@ -36,8 +38,8 @@ void ForEachVertex(const BallNeighbourhood& balls, int threads, const Work& work
     });
 }
 
-// Angles by which normals turn at the edges, positive where convex; 0 at edges that do not have two
-// triangles.
+// The dihedral angle at every edge, between the normals of its triangles, positive where the
+// surface is convex; 0 at edges that do not have two triangles.
 std::vector<double> DihedralAngles(const BallNeighbourhood& balls)
 {
   const TriangleMesh& mesh = balls.Mesh();
@@ -66,6 +68,7 @@ std::vector<double> DihedralAngles(const BallNeighbourhood& balls)
   return angles;
 }
 
+// The sum of the two larger absolute eigenvalues.
 double TwoLarger(const Eigen::Matrix3d& tensor)
 {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
@@ -74,7 +77,7 @@ double TwoLarger(const Eigen::Matrix3d& tensor)
   return sizes.sum() - sizes.minCoeff();
 }
 
-// Weighted moments of the pairs of values in a window.
+// The weighted moments of the pairs of values in a window.
 struct Moments
 {
   double Weight = 0.0;
@@ -89,7 +92,7 @@ struct Moments
   }
 };
 
-// The moments are those about `origin`.
+// The structural difference in a window, from its moments about `origin`.
 double Difference(const Moments& moments, const Eigen::Vector2d& origin, int exponent)
 {
   const Eigen::Vector2d offset = moments.Sum / moments.Weight;
@@ -123,8 +126,7 @@ VectorXd NormalCycleCurvature(const BallNeighbourhood& balls, double radius, int
         const double length = edge.norm();
         if (length > 0.0)
         {
-          tensor += angles[static_cast<std::size_t>(piece.Edge)] * piece.Share / length * edge *
-            edge.transpose();
+          tensor += angles[piece.Edge] * piece.Share / length * edge * edge.transpose();
         }
       }
       curvature[v] = 0.5 * TwoLarger(tensor) / (Pi * radius * radius);
@@ -143,7 +145,8 @@ VectorXd LocalStructuralDistortion(const BallNeighbourhood& balls, const VectorX
     {
       balls.Around(centre, window.Radius, workspace);
       Moments moments;
-      const Eigen::Vector2d origin(here[centre], there[centre]); // differences lose no digits
+      // Moments about the values at the centre lose no digits.
+      const Eigen::Vector2d origin(here[centre], there[centre]);
       const auto add = [&](const Eigen::RowVector3d& at, const Eigen::Vector2d& values)
       {
         const double distance = (at - points.row(centre)).norm() / deviation;
@@ -175,6 +178,7 @@ double CubicMean(const VectorXd& values)
 VectorXd LocalMsdm(const BallNeighbourhood& reference, const BallNeighbourhood& distorted,
   double side, int threads)
 {
+  // The radii of the balls and of the windows, in D.
   constexpr double curvatureRadius = 0.005;
   constexpr double windowRadius = 0.015;
   const VectorXd before = side * NormalCycleCurvature(reference, curvatureRadius * side, threads);

@@ -7,6 +7,7 @@
 #include "Core/Eigensolver/Residuals.h"
 #include "Core/Eigensolver/SpectraSolver.h"
 #include "Core/Support/MemoryBudget.h"
+#include "Core/Support/Text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@
 #include <limits>
 #include <memory>
 #include <numeric>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -93,22 +93,22 @@ void CheckCount(const HarmonicsOptions& options, Index available)
   }
 }
 
-// The peak memory of a solver, in bytes. The constants are measured (Testing/Benchmark/scaling.csv)
-// and agree within 10 % from 35,000 vertices and 50 harmonics up.
+// The peak memory of a solver, in bytes. Testing/Benchmark/memory measures the constants.
+// Testing/Benchmark/solvers/scaling.csv has the peak for scans.
 double MemoryOf(SolverChoice choice, Index vertices, Index count)
 {
   // Bytes per vertex of the factors and their computation.
-  constexpr double factorsOfVertex = 3900.0;
+  constexpr double factorBytesPerVertex = 3900.0;
   // Bytes per vertex and harmonic of its vector and the Lanczos vectors of its band.
-  constexpr double vectorsOfVertex = 17.0;
+  constexpr double vectorBytesPerVertex = 17.0;
   // Bytes per entry of the dense solver's five matrices.
-  constexpr double matrices = 5.0 * sizeof(double);
+  constexpr double bytesPerDenseEntry = 5.0 * sizeof(double);
   const auto n = static_cast<double>(vertices);
   if (choice == SolverChoice::Dense)
   {
-    return matrices * n * n;
+    return bytesPerDenseEntry * n * n;
   }
-  return n * (factorsOfVertex + vectorsOfVertex * static_cast<double>(count));
+  return n * (factorBytesPerVertex + vectorBytesPerVertex * static_cast<double>(count));
 }
 
 constexpr const char* FewerHarmonics =
@@ -152,9 +152,7 @@ void FixSigns(Eigen::MatrixXd& basis)
 
 std::string Scientific(double value)
 {
-  std::ostringstream text;
-  text << std::scientific << std::setprecision(1) << value;
-  return text.str();
+  return TextOf(std::scientific, std::setprecision(1), value);
 }
 
 std::string SolverAdvice(const HarmonicsOptions& options)
@@ -272,9 +270,10 @@ ManifoldHarmonics ComputeManifoldHarmonics(const TriangleMesh& mesh,
 
 void RequireMemoryToAdopt(Index vertices, Index count)
 {
-  // The measured peak memory, in bases: the copy and the products of its checks.
-  constexpr double bases = 3.4;
-  RequireMemory(bases * BytesOfBasis(vertices, count), Work(vertices, count), FewerHarmonics);
+  // The peak memory, in bases: the copy and the products of its checks. Testing/Benchmark/memory
+  // measures it.
+  constexpr double basesAtPeak = 3.4;
+  RequireMemory(basesAtPeak * BytesOfBasis(vertices, count), Work(vertices, count), FewerHarmonics);
 }
 
 std::optional<ManifoldHarmonics> AdoptManifoldHarmonics(const TriangleMesh& mesh, MassMatrix mass,

@@ -11,7 +11,8 @@ namespace spectralwatermark
 namespace
 {
 
-// Of (c - a) / a on unmarked scans, components 21 to 300.
+// The distribution of (c - a) / a on unmarked scans, where c is the carrier's magnitude and a the
+// average of its references, measured on components 21 to 300 and taken for normal.
 struct UnmarkedSpread
 {
   double Mean;
@@ -24,23 +25,26 @@ UnmarkedSpread SpreadOf(SlotDivision division)
                                           : UnmarkedSpread{ 0.14, 0.83 };
 }
 
-// What the paper's attacks do to (c - a) / a of a marked slot: in this share of the slots they mix
-// neighbouring harmonics until nothing is left of it,
+// The share of the marked slots in which attacks like the paper's mix neighbouring harmonics until
+// nothing is left of the mark. Fitted to five attacked scans.
 constexpr double LostShare = 0.3;
 
-// and in the others they leave this correlation. Both fit five attacked scans.
+// The correlation of (c - a) / a before and after such attacks in the other marked slots. Fitted to
+// five attacked scans.
 constexpr double KeptCorrelation = 0.8;
 
-// Weights of WeightedAgreementPValue() are rounded to this share of their sum.
+// The number of steps to which WeightedAgreementPValue() rounds the weights: each is a multiple of
+// their sum divided by this.
 constexpr double WeightSteps = 20000.0;
 
+// The logarithm of the normal density.
 double LogNormal(double x, double mean, double deviation)
 {
   const double z = (x - mean) / deviation;
   return -0.5 * z * z - std::log(deviation) - 0.5 * std::log(2.0 * Pi);
 }
 
-// log P(Z > z) for a standard normal Z, without underflow.
+// The logarithm of P(Z > z) for a standard normal Z, without underflow.
 double LogUpperTail(double z)
 {
   if (z < 30.0)
@@ -50,35 +54,39 @@ double LogUpperTail(double z)
   return LogNormal(z, 0.0, 1.0) - std::log(z);
 }
 
+// The logarithm of exp(a) + exp(b).
 double LogSum(double a, double b)
 {
   const double larger = std::max(a, b);
   return std::isinf(larger) ? larger : larger + std::log1p(std::exp(std::min(a, b) - larger));
 }
 
-// Log density, after attacks, of a normal u whose values under `threshold` were all moved to
-// `target` before. Attacks draw u towards its mean and add as much noise as keeps its spread, so
-// that an unmarked slot stays what it is.
+// The logarithm of the density at x, after attacks, of a normal u whose values under `threshold`
+// were moved to `target` by the embedding. Attacks draw u towards its mean and add noise that
+// restores its spread, so that the distribution of an unmarked slot does not change.
 double LogMarkedAbove(double x, const UnmarkedSpread& spread, double threshold, double target)
 {
   const double attacked = spread.Deviation * std::sqrt(1.0 - KeptCorrelation * KeptCorrelation);
   const auto drawn = [&spread](double u)
   { return spread.Mean + KeptCorrelation * (u - spread.Mean); };
   const double unmarked = LogNormal(x, spread.Mean, spread.Deviation);
-  // u before, given x after, is normal with mean drawn(x) and deviation `attacked`.
+  // Conditioned on x after the attacks, u before them is normal with mean drawn(x) and deviation
+  // `attacked`.
   const double stayed = unmarked + LogUpperTail((threshold - drawn(x)) / attacked);
   const double moved = LogUpperTail((spread.Mean - threshold) / spread.Deviation) +
     LogNormal(x, drawn(target), attacked);
   return LogSum(std::log(LostShare) + unmarked, std::log(1.0 - LostShare) + LogSum(stayed, moved));
 }
 
+// The logarithm of the density at u of a slot that holds a bit whose carrier lies above (side 1) or
+// below (side -1) the average of its references, after attacks.
 double LogMarked(double u, int side, const SlotReading& reading, const SlotOptions& options)
 {
   const UnmarkedSpread spread = SpreadOf(options.Division);
   const double s = options.TurbulenceFactor * reading.Deviation / reading.Average;
   const double target = side > 0 ? s : std::max(-1.0, -s);
   const double threshold = options.Embedding == BitEmbedding::Aggressive ? target : 0.0;
-  // Below is above in the mirror.
+  // A carrier below the average is the mirror image of one above it.
   return LogMarkedAbove(side * u, { side * spread.Mean, spread.Deviation }, side * threshold,
     side * target);
 }

@@ -12,10 +12,11 @@ namespace spectralwatermark
 namespace
 {
 
-// Share of the remaining progress that each further basis gets: how many there will be is not
-// known, three is usual.
+// The share of the remaining progress that each basis gets. The number of bases is not known in
+// advance; three are usual.
 constexpr double ShareOfRest = 0.35;
 
+// The part of the progress for the basis with this number, counted from 0.
 Progress PartOfSolve(const Progress& progress, Index solve)
 {
   const double rest = std::pow(1.0 - ShareOfRest, static_cast<double>(solve));
@@ -37,18 +38,20 @@ SlotEmbeddingResult EmbedMessageInSlots(const TriangleMesh& original,
   harmonicsOptions.Count = ComponentsNeeded(options.Slots, bits);
   harmonicsOptions.Tolerance = options.Tolerance;
   harmonicsOptions.Threads = options.Threads;
-  // At once for the two bases held at a time, so that no later round fails for want of memory.
+  // The memory is checked once, for the two bases held at a time, so that no later iteration runs
+  // out.
   harmonicsOptions.CheckMemory = false;
   RequireMemoryForHarmonics(original.NumberOfVertices(), harmonicsOptions.Count, 1);
 
   SlotEmbeddingResult result;
   const RoundTrip store = options.Store ? options.Store : ExactRoundTrip(original);
   RoundTripResult stored = ExactRoundTrip(original)(original.Points);
-  // Each marked mesh is near the one before: so is its basis.
-  const auto computeBasis = [&](const ManifoldHarmonics* nearby)
+  // The previous basis is a good initial guess, because each iteration changes the mesh only a
+  // little.
+  const auto computeBasis = [&](const ManifoldHarmonics* previous)
   {
     const Progress part = PartOfSolve(progress, result.Eigensolves++);
-    harmonicsOptions.InitialGuess = nearby;
+    harmonicsOptions.InitialGuess = previous;
     return ComputeManifoldHarmonics(stored.Mesh, harmonicsOptions, part);
   };
   ManifoldHarmonics basis = firstBasis ? *firstBasis : computeBasis(nullptr);
@@ -79,7 +82,8 @@ SlotEmbeddingResult EmbedMessageInSlots(const TriangleMesh& original,
       {
         throw;
       }
-      break; // with what there is
+      // The best mesh so far is the result.
+      break;
     }
     spectrum = ForwardTransform(basis, stored.Mesh.Points);
     readings = ReadSlots(Magnitudes(spectrum), options.Slots, bits);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The paper's iterative embedding (2.3): embed, look with the new mesh's own basis, repeat.
+/// The paper's iterative embedding (2.3): embed the bits, read them with the marked mesh's own
+/// basis, repeat.
 #ifndef SpectralWatermark_Core_PaperScheme_SlotEmbedding_h
 #define SpectralWatermark_Core_PaperScheme_SlotEmbedding_h
 
@@ -13,31 +14,50 @@
 namespace spectralwatermark
 {
 
+/// What EmbedMessageInSlots() embeds, and how.
 struct SlotEmbeddingOptions
 {
   SlotOptions Slots;
-  std::string Message;    ///< bits to embed, of 0 and 1
-  Index RequiredBits = 0; ///< the extraction threshold: stop with that many right; 0: all
+
+  /// The bits to embed, as characters 0 and 1.
+  std::string Message;
+
+  /// The extraction threshold: the embedding stops once this many bits are right. 0: all.
+  Index RequiredBits = 0;
+
+  /// The largest number of iterations.
   Index MaximumIterations = 20;
-  double Tolerance = 1e-8; ///< of the harmonics
-  int Threads = 1;         ///< at most; the result does not depend on it
-  RoundTrip Store;         ///< what bits are read from; by default ExactRoundTrip()
+
+  /// The tolerance of the harmonics (see HarmonicsOptions).
+  double Tolerance = 1e-8;
+
+  /// The largest number of threads. The result does not depend on it.
+  int Threads = 1;
+
+  /// Stores the marked points and reads the mesh again; the bits are read from that mesh. Empty:
+  /// ExactRoundTrip().
+  RoundTrip Store;
 };
 
+/// What EmbedMessageInSlots() achieved.
 struct SlotEmbeddingResult
 {
-  TriangleMesh::PointMatrix Points;              ///< the marked mesh's, as stored
-  std::string ExtractedMessage;                  ///< what it reads, blind
-  bool Converged = false;                        ///< at least RequiredBits bits are right
-  Index Iterations = 0;                          ///< of the points returned
-  Index Eigensolves = 0;                         ///< bases computed
-  std::vector<std::vector<SlotReading>> History; ///< per iteration; [0]: before embedding
+  TriangleMesh::PointMatrix Points; ///< the points of the marked mesh, as stored
+  std::string ExtractedMessage;     ///< the message that was read blind from it
+  bool Converged = false;           ///< whether at least RequiredBits bits are right
+  Index Iterations = 0;             ///< the number of iterations that led to Points
+  Index Eigensolves = 0;            ///< the number of bases computed
+
+  /// The readings of all slots before the embedding and after each iteration.
+  std::vector<std::vector<SlotReading>> History;
 };
 
-/// Embeds the message into a copy of the points. The first basis may be given; every later one
-/// is computed. Not converged: the points that read the most bits right, the earliest of them.
+/// Embeds a message. `firstBasis` is the basis of the unmarked mesh, if it is available; all later
+/// bases are computed. Without convergence the result is the iteration that read the most bits
+/// right, the earliest of several.
 ///
-/// Throws InvalidInput when the mesh cannot carry the message, SolverFailure, Aborted.
+/// Throws InvalidInput if the mesh cannot carry the message or the memory does not suffice,
+/// SolverFailure, Aborted.
 SlotEmbeddingResult EmbedMessageInSlots(const TriangleMesh& mesh,
   const SlotEmbeddingOptions& options, const std::optional<ManifoldHarmonics>& firstBasis,
   const Progress& progress = Progress());

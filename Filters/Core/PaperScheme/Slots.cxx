@@ -9,7 +9,7 @@ namespace spectralwatermark
 namespace
 {
 
-// 1-based component of a 1-based position in slot `slot`.
+// The component, 1-based, of a position, 1-based, in a slot, counted from 0.
 Index ComponentAt(const SlotOptions& options, Index slot, Index position)
 {
   return options.FirstComponent + slot * options.SlotSize + position - 1;
@@ -17,8 +17,7 @@ Index ComponentAt(const SlotOptions& options, Index slot, Index position)
 
 Index CarrierPosition(const SlotOptions& options, Index slot)
 {
-  return options.KeyedPositions.empty() ? options.CarrierPosition
-                                        : options.KeyedPositions[static_cast<std::size_t>(slot)];
+  return options.KeyedPositions.empty() ? options.CarrierPosition : options.KeyedPositions[slot];
 }
 
 std::vector<Index> ReferencePositions(const SlotOptions& options, Index carrier)
@@ -125,8 +124,7 @@ std::vector<SlotReading> ReadSlots(const Eigen::VectorXd& magnitudes, const Slot
     const double count = static_cast<double>(references.size());
     SlotReading reading;
     reading.Component = ComponentAt(options, slot, carrier);
-    reading.Inverted =
-      !options.Keystream.empty() && options.Keystream[static_cast<std::size_t>(slot)] == '1';
+    reading.Inverted = !options.Keystream.empty() && options.Keystream[slot] == '1';
     reading.Magnitude = magnitudes[reading.Component - 1];
     for (const Index position : references)
     {

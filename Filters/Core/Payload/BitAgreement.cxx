@@ -25,8 +25,9 @@ double WeightedTail(const std::vector<std::size_t>& weights,
     }
     distribution = std::move(next);
   }
+  // The smallest terms come first, so that rounding does not swallow them.
   double tail = 0.0;
-  for (std::size_t sum = distribution.size(); sum-- > reached;) // smallest terms first
+  for (std::size_t sum = distribution.size(); sum-- > reached;)
   {
     tail += distribution[sum];
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Messages: strings of the characters 0 and 1.
+/// Messages of bits, stored as strings of the characters 0 and 1.
 #ifndef SpectralWatermark_Core_Payload_Bits_h
 #define SpectralWatermark_Core_Payload_Bits_h
 
@@ -10,10 +10,12 @@
 namespace spectralwatermark
 {
 
-/// Throws InvalidInput, about `parameter`, unless the message is made of 0 and 1 only.
+/// Throws InvalidInput, about `parameter`, if the message contains a character other than 0 and 1.
+/// An empty message passes.
 void CheckMessage(const std::string& message, const std::string& parameter = "Message");
 
-/// The number of positions where two messages of the same length agree.
+/// The number of positions where two messages agree. Positions past the end of the shorter one do
+/// not count.
 Index CountAgreements(const std::string& a, const std::string& b);
 
 } // namespace spectralwatermark

@@ -15,8 +15,13 @@ namespace spectralwatermark
 namespace
 {
 
+// The number of code words.
 constexpr std::uint32_t Words = 1U << GolayDataBits;
-constexpr std::uint32_t Generator = 0xae3; // of degree 11
+
+// The coefficients of the generator polynomial.
+constexpr std::uint32_t Generator = 0xae3;
+
+// The degree of the generator polynomial: the number of check bits without the parity bit.
 constexpr int CheckBits = 11;
 
 std::size_t WeightOf(std::uint32_t word)
@@ -38,11 +43,12 @@ std::uint32_t Encode(std::uint32_t data)
   return word | static_cast<std::uint32_t>(WeightOf(word) % 2) << (GolayCodeBits - 1);
 }
 
+// An octad is the set of places where a code word of weight 8 has its ones.
 constexpr int OctadBits = 8;
 constexpr std::uint32_t AllOfOctad = (1U << OctadBits) - 1;
 constexpr std::uint32_t AllOfWord = (1U << GolayCodeBits) - 1;
 
-// The bits of a word at some places, the lowest place's first.
+// The places of an octad in ascending order.
 using Octad = std::array<int, OctadBits>;
 
 Octad PlacesOf(std::uint32_t word)
@@ -52,42 +58,47 @@ Octad PlacesOf(std::uint32_t word)
   {
     if ((word >> place & 1U) != 0)
     {
-      places[static_cast<std::size_t>(found++)] = place;
+      places[found++] = place;
     }
   }
   return places;
 }
 
+// The bits of a word at the places of an octad, as a number of 8 bits.
 std::uint32_t PatternIn(const Octad& places, std::uint32_t word)
 {
   std::uint32_t pattern = 0;
   for (int bit = 0; bit < OctadBits; ++bit)
   {
-    pattern |= (word >> places[static_cast<std::size_t>(bit)] & 1U) << bit;
+    pattern |= (word >> places[bit] & 1U) << bit;
   }
   return pattern;
 }
 
+// The word that has this pattern at the places of an octad, and 0 elsewhere.
 std::uint32_t WordOf(const Octad& places, std::uint32_t pattern)
 {
   std::uint32_t word = 0;
   for (int bit = 0; bit < OctadBits; ++bit)
   {
-    word |= (pattern >> bit & 1U) << places[static_cast<std::size_t>(bit)];
+    word |= (pattern >> bit & 1U) << places[bit];
   }
   return word;
 }
 
-// Three words of eight ones that together have all 24 (a trio). Adding one of them to a word turns the
-// word's bits over in that octad alone, so the best of all 4096 words is found among the 512 whose last
-// bit in each octad is 0: each octad then counts with its sum's magnitude, and is turned over where the
-// sum is negative. After Conway and Sloane, "Soft decoding techniques for codes and lattices, including
-// the Golay code and the Leech lattice", IEEE Trans. Inf. Theory 32 (1986).
+// Three octads that together cover all 24 places (a trio), and the code words relative to them.
+//
+// Adding one of the three octads to a code word inverts the word's bits within that octad alone.
+// The best of all 4096 words is therefore found among the 512 whose last bit in each octad is 0:
+// each octad contributes the magnitude of its sum, and is inverted where the sum is negative. After
+// Conway and Sloane, "Soft decoding techniques for codes and lattices, including the Golay code and
+// the Leech lattice", IEEE Trans. Inf. Theory 32 (1986).
 struct Trio
 {
   static constexpr std::size_t Parts = 3;
   std::array<Octad, Parts> Octads;
-  std::vector<std::array<std::uint32_t, Parts>> Patterns; // of the 512 words
+  // The pattern of each of the 512 words in each octad.
+  std::vector<std::array<std::uint32_t, Parts>> Patterns;
 
   Trio()
   {
@@ -110,7 +121,7 @@ struct Trio
   }
 
 private:
-  // The first word of eight ones that has none of these.
+  // The first octad that is disjoint from `taken`.
   static std::uint32_t NextOctad(std::uint32_t taken)
   {
     for (std::uint32_t data = 0; data < Words; ++data)
@@ -121,12 +132,13 @@ private:
         return word;
       }
     }
-    throw std::logic_error("no octad"); // every octad of the Golay code is part of a trio
+    // Never reached: every octad of the Golay code is part of a trio.
+    throw std::logic_error("no octad");
   }
 };
 
-// A column for each pattern of an octad whose last bit is 0: the sums of the words' soft bits with their
-// signs.
+// The signed sums of the soft bits in an octad: a row per word, and a column for each pattern whose
+// last bit is 0. A soft bit is negated where the pattern has a 1.
 Eigen::ArrayXXf SumsOf(const Octad& places, const SoftWords& soft)
 {
   Eigen::ArrayXXf sums(soft.rows(), Eigen::Index{ 1 } << (OctadBits - 1));
@@ -191,8 +203,8 @@ std::uint32_t GolayDecode(const SoftWords& soft, float& fit)
   for (std::size_t part = 0; part < Trio::Parts; ++part)
   {
     const std::uint32_t pattern = (*best)[part];
-    const bool isTurnedOver = sums[part](0, pattern) < 0.0F;
-    word |= WordOf(trio.Octads[part], isTurnedOver ? pattern ^ AllOfOctad : pattern);
+    const bool isInverted = sums[part](0, pattern) < 0.0F;
+    word |= WordOf(trio.Octads[part], isInverted ? pattern ^ AllOfOctad : pattern);
   }
   return word % Words;
 }

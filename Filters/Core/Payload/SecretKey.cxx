@@ -13,10 +13,16 @@ namespace spectralwatermark
 namespace
 {
 
+// The BLAKE2b key under which the secret is hashed to the master key.
 constexpr char MasterLabel[] = "SpectralWatermark v1";
-constexpr std::size_t WordSize = 8;
+
+// The context of crypto_kdf, which separates these seeds from those of other programs.
 constexpr char KdfContext[crypto_kdf_CONTEXTBYTES + 1] = "SpecWM_1";
 
+// The number of bytes of a stream from which one random number is made.
+constexpr std::size_t WordSize = 8;
+
+// What a seed is used for. The numbers are part of the derivation and must never change.
 enum Purpose : std::uint64_t
 {
   Positions = 1,
@@ -75,7 +81,7 @@ std::vector<unsigned char> SecretKey::Stream(std::uint64_t purpose, std::size_t 
 namespace
 {
 
-// Words of eight bytes, little-endian on every platform.
+// The stream as words of eight bytes, little-endian on every platform.
 std::vector<std::uint64_t> Words(const std::vector<unsigned char>& stream)
 {
   std::vector<std::uint64_t> words;
@@ -91,6 +97,7 @@ std::vector<std::uint64_t> Words(const std::vector<unsigned char>& stream)
   return words;
 }
 
+// The first bits of the bytes, the lowest bit of each byte first.
 std::string FirstBits(const unsigned char* bytes, Eigen::Index bits)
 {
   std::string text;
@@ -107,8 +114,7 @@ std::vector<Eigen::Index> SecretKey::CarrierPositions(Eigen::Index slots,
   Eigen::Index slotSize) const
 {
   std::vector<Eigen::Index> positions;
-  for (const std::uint64_t word :
-    Words(this->Stream(Positions, WordSize * static_cast<std::size_t>(slots))))
+  for (const std::uint64_t word : Words(this->Stream(Positions, WordSize * slots)))
   {
     positions.push_back(
       2 + static_cast<Eigen::Index>(word % static_cast<std::uint64_t>(slotSize - 2)));
@@ -119,8 +125,7 @@ std::vector<Eigen::Index> SecretKey::CarrierPositions(Eigen::Index slots,
 std::vector<double> SecretKey::Uniform(std::uint64_t purpose, Eigen::Index count) const
 {
   std::vector<double> numbers;
-  for (const std::uint64_t word :
-    Words(this->Stream(purpose, WordSize * static_cast<std::size_t>(count))))
+  for (const std::uint64_t word : Words(this->Stream(purpose, WordSize * count)))
   {
     numbers.push_back(static_cast<double>(word >> 11) * 0x1.0p-53);
   }
@@ -139,7 +144,7 @@ std::vector<double> SecretKey::Dither(Eigen::Index count) const
 
 std::string SecretKey::Bits(std::uint64_t purpose, Eigen::Index bits) const
 {
-  return FirstBits(this->Stream(purpose, (static_cast<std::size_t>(bits) + 7) / 8).data(), bits);
+  return FirstBits(this->Stream(purpose, (bits + 7) / 8).data(), bits);
 }
 
 std::string SecretKey::Keystream(Eigen::Index bits) const

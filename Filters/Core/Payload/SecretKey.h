@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Everything that a secret decides, derived from it by libsodium alone.
+/// A secret key and the random streams that libsodium derives from it.
 #ifndef SpectralWatermark_Core_Payload_SecretKey_h
 #define SpectralWatermark_Core_Payload_SecretKey_h
 
@@ -13,15 +13,18 @@
 namespace spectralwatermark
 {
 
-/// A secret, and the streams derived from it. Version 1 of the derivation, never to change:
+/// A secret key, from which every key-dependent choice of both schemes is derived.
 ///
-///     master = BLAKE2b-256(secret, key "SpectralWatermark v1")         crypto_generichash
-///     seed_p = BLAKE2b-256(master; salt p, personal "SpecWM_1")        crypto_kdf
-///     stream_p = ChaCha20(seed_p, nonce "LibsodiumDRG")                randombytes_buf_deterministic
+/// The derivation is version 1 and must never change, because marked meshes depend on it:
 ///
-/// with one stream for each purpose p: 1 positions, 2 keystream, 3 message; for the robust scheme 4
-/// wave vectors, 5 dither, 6 whitening. A longer stream begins with the shorter one. A message's
-/// check is BLAKE2b-256(message, key seed_7). The memory of master and seeds is cleared.
+///     master   = BLAKE2b-256(secret, key "SpectralWatermark v1")    crypto_generichash
+///     seed_p   = BLAKE2b-256(master; salt p, personal "SpecWM_1")   crypto_kdf
+///     stream_p = ChaCha20(seed_p, nonce "LibsodiumDRG")             randombytes_buf_deterministic
+///
+/// Each purpose p has a stream of its own: 1 carrier positions, 2 keystream and 3 message; for the
+/// robust scheme 4 wave vectors, 5 dither and 6 whitening. A longer stream begins with the shorter
+/// one. The check of a message is BLAKE2b-256(message, key seed_7). The memory that held the master
+/// key or a seed is cleared.
 class SecretKey
 {
 public:
@@ -31,23 +34,26 @@ public:
   SecretKey(const SecretKey&) = delete;
   SecretKey& operator=(const SecretKey&) = delete;
 
-  /// For each slot a carrier position from 2 to slotSize - 1, uniform (to 2^-60).
+  /// A carrier position for each slot, uniform over 2 to slotSize - 1 (with a bias below 2^-60).
   std::vector<Eigen::Index> CarrierPositions(Eigen::Index slots, Eigen::Index slotSize) const;
 
-  /// Fair coins, 0 or 1, that whiten a message of this length.
+  /// The keystream that whitens a message of the paper's scheme: `bits` fair coins, 0 or 1.
   std::string Keystream(Eigen::Index bits) const;
 
-  /// The message of this length that stands for the secret itself.
+  /// The message of `bits` bits that is derived from the secret.
   std::string Message(Eigen::Index bits) const;
 
-  /// Numbers in [0, 1), uniform, with 53 bits: for wave vectors and for dithers.
+  /// Uniform numbers in [0, 1) with 53 random bits, from which the robust scheme makes wave
+  /// vectors.
   std::vector<double> WaveNumbers(Eigen::Index count) const;
+
+  /// The dithers of the robust scheme: uniform numbers in [0, 1) with 53 random bits.
   std::vector<double> Dither(Eigen::Index count) const;
 
-  /// Fair coins, 0 or 1, that whiten what the carriers of the robust scheme hold.
+  /// The keystream that whitens the code bits of the robust scheme: `bits` fair coins, 0 or 1.
   std::string CarrierKeystream(Eigen::Index bits) const;
 
-  /// Up to 256 bits that only this secret and this message give.
+  /// The check of a message: `bits` bits, at most 256, that depend on the secret and the message.
   std::string Check(const std::string& message, Eigen::Index bits) const;
 
 private:
@@ -59,7 +65,7 @@ private:
   std::array<unsigned char, 32> Master{};
 };
 
-/// Overwrites a string's characters before it lets them go.
+/// Overwrites the characters of a string with zeros, then empties it.
 void Wipe(std::string& secret);
 
 } // namespace spectralwatermark

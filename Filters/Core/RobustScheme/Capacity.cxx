@@ -19,11 +19,12 @@ namespace spectralwatermark
 namespace
 {
 
-// The part of the budget that a message may use that is not known yet: the cost depends on its bits by some
-// percent.
+// The share of the distortion limit that a trial message may use. The cost depends on the bits of
+// the message by a few percent, and the bits to be embedded are not known yet.
 constexpr double SafePart = 0.9;
 
-// Finds which messages fit a mesh and a budget, by embedding one with the smallest step.
+// Finds how many code words fit a mesh and a distortion limit, by embedding trial messages with the
+// smallest step.
 class CapacitySearch
 {
 public:
@@ -37,8 +38,8 @@ public:
   {
   }
 
-  // Each trial takes longer than all with fewer words together: so the number doubles every time, and is
-  // bisected only below what was too many.
+  // A trial takes longer than all trials with fewer words together. The number of words is
+  // therefore doubled each time, and bisected only below a number that was too large.
   Index MostWords(Index tooMany, const Progress& progress) const
   {
     Index most = WordsOf(1) - 1;
@@ -46,7 +47,8 @@ public:
     while (tooMany - most > 1)
     {
       const Index words = std::min(2 * most, (most + tooMany) / 2);
-      const double end = begin + (1.0 - begin) / 4.0; // the number of trials is not known
+      // The number of trials is unknown, so each gets a quarter of the remaining progress.
+      const double end = begin + (1.0 - begin) / 4.0;
       (this->Fits(words, progress.Part(begin, end)) ? most : tooMany) = words;
       begin = end;
     }
@@ -67,7 +69,8 @@ private:
     {
       const CarrierProblem problem(this->View, this->Key, MessageBitsOf(words), this->Threads);
       progress.Report(0.3);
-      const std::string code(carriers, '0'); // any will do: it is whitened
+      // Any code will do, because it is whitened.
+      const std::string code(carriers, '0');
       const EmbeddingPlan plan = PlanWithStep(0, problem, code);
       const double scale = this->View.Frame.Scale / BoundingBoxDiagonal(this->Mesh.Points);
       return plan.Distortion * scale <= this->MaximumDistortion &&
@@ -78,7 +81,8 @@ private:
     }
     catch (const InvalidInput&)
     {
-      return false; // waves that cannot be told apart
+      // The waves cannot be told apart on this surface.
+      return false;
     }
   }
 

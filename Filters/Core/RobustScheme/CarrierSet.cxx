@@ -17,21 +17,30 @@ namespace
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// A random message passes this many bits of check once in a million.
+// The smallest length of a check, in bits. A check of this length holds for a random message once
+// in a million.
 constexpr Index LeastCheckBits = 20;
 
-// Wave vectors fill a shell evenly. Under its inner radius the solid itself is large in the
-// transform, and what moves or turns the frame a little changes much; waves nearer to each other
-// than these volumes are too much alike on the surface.
+// The inner radius of the shell that the wave vectors fill evenly, in 1 / scale of the frame.
+// Closer to the origin the transform of the solid itself is large, so that a small shift or
+// rotation of the frame changes a carrier a lot.
 constexpr double InnerRadius = 3.0;
+
+// The volume of the shell for each wave vector, in 1 / (scale of the frame)^3. Waves that are
+// closer to each other are too similar on the surface.
 constexpr double VolumePerWave = 220.0;
+
+// The number of candidates that best-candidate sampling draws for each wave vector.
 constexpr Index CandidatesPerWave = 64;
 
+// The smallest quantisation step, in (scale of the frame)^3.
 constexpr double SmallestStep = 2.5e-4;
-constexpr double StepRatio = 1.0905077326652577; // 2^(1/8)
 
-// Best-candidate sampling (Mitchell, 1991): each wave is the candidate farthest from all before, a
-// vector and its opposite being the same wave.
+// The ratio of consecutive quantisation steps: 2^(1/8).
+constexpr double StepRatio = 1.0905077326652577;
+
+// Best-candidate sampling (Mitchell, 1991): each wave vector is the candidate that is farthest from
+// all earlier ones. A vector and its opposite are the same wave.
 MatrixXd EvenWaves(const std::vector<double>& numbers, Index count)
 {
   const double inner = std::pow(InnerRadius, 3);
@@ -49,7 +58,8 @@ MatrixXd EvenWaves(const std::vector<double>& numbers, Index count)
       const double around = std::sqrt(1.0 - height * height);
       const Eigen::RowVector3d wave =
         radius * Eigen::RowVector3d(around * std::cos(angle), around * std::sin(angle), height);
-      double nearest = 4.0 * wave.squaredNorm(); // its own opposite
+      // The candidate's own opposite is a neighbour too.
+      double nearest = 4.0 * wave.squaredNorm();
       for (Index other = 0; other < w; ++other)
       {
         nearest = std::min({ nearest, (waves.row(other) - wave).squaredNorm(),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The carriers of the robust scheme (RobustEmbedding.h): wave vectors, lattices, and the code.
+/// The carriers of the robust scheme (see RobustEmbedding.h): their wave vectors, the lattices that
+/// they are quantised with, and the code that they hold.
 #ifndef SpectralWatermark_Core_RobustScheme_CarrierSet_h
 #define SpectralWatermark_Core_RobustScheme_CarrierSet_h
 
@@ -11,40 +12,49 @@
 namespace spectralwatermark
 {
 
-/// What a secret and a number of bits decide.
+/// The carriers that a secret key and a message length determine. Wave w has two carriers: the real
+/// part of the transform is carrier w, the imaginary part is carrier w + Waves.rows().
 struct CarrierSet
 {
   Eigen::MatrixXd Waves;  ///< wave vectors, a row each, in 1 / scale of the frame
-  Eigen::VectorXd Dither; ///< of each carrier, in [0, 1) steps
-  std::string Whitening;  ///< of each carrier, 0 or 1
-  Index MessageBits = 0;
-  Index CheckBits = 0;
+  Eigen::VectorXd Dither; ///< the dither of each carrier, in [0, 1) steps
+  std::string Whitening;  ///< the whitening bit of each carrier, 0 or 1
+  Index MessageBits = 0;  ///< the length of the message
+  Index CheckBits = 0;    ///< the length of its check
 
   Index Count() const { return this->Dither.size(); }
 };
 
-/// For messages of 1 to LargestMessage bits. Throws InvalidInput for others.
-CarrierSet CarriersOf(const SecretKey& key, Index messageBits);
+/// The longest message that the robust scheme embeds, in bits.
 constexpr Index LargestMessage = 1024;
 
-/// Words of the code that a message and its check fill, and bits of message that so many words hold beside
-/// the check; 0 when the check alone fills them.
+/// The carriers for messages of this length. Throws InvalidInput unless it is from 1 to
+/// LargestMessage.
+CarrierSet CarriersOf(const SecretKey& key, Index messageBits);
+
+/// The number of code words that a message of this length and its check fill.
 Index WordsOf(Index messageBits);
+
+/// The length of the longest message that this many code words hold together with its check, at
+/// most LargestMessage; 0 when the check alone fills them.
 Index MessageBitsOf(Index words);
 
-/// Bits of check that fill the last word beside a message of this length.
+/// The length of the check of a message of this length: at least 20 bits, and as many as fill the
+/// last code word.
 Index CheckBitsOf(Index messageBits);
 
-/// The message and its check: what the code protects.
+/// The data that the code protects: the message, followed by its check of `checkBits` bits.
 std::string DataOf(const std::string& message, const SecretKey& key, Index checkBits);
 
-/// What the carriers hold for data, 12 bits of it a word. Bit i of word b sits in carrier i * words + b,
-/// so that what happens to some waves is spread over all words.
+/// The code bits that the carriers hold for `data`, whose length is a multiple of 12. Carrier
+/// i * words + b holds bit i of word b, so that damage to a few waves is spread over all words.
 std::string CodeOf(const std::string& data);
 
-/// Steps that carriers are quantised with, in units of (scale of the frame)^3: a geometric series,
-/// so that a reader can try them all.
+/// The number of quantisation steps. They form a geometric series, short enough for a reader to try
+/// them all.
 constexpr int NumberOfSteps = 80;
+
+/// The quantisation step with this number, from 0 to NumberOfSteps - 1, in (scale of the frame)^3.
 double StepOfNumber(int number);
 
 } // namespace spectralwatermark

@@ -15,7 +15,8 @@ namespace
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// The values that a carrier with its bit may have are its offset plus step * integer.
+// The offset of each carrier's lattice: a carrier that holds its bit has the value
+// offset + step * integer.
 VectorXd Offsets(const std::string& code, const CarrierSet& carriers, double step)
 {
   VectorXd offsets(carriers.Count());
@@ -27,10 +28,11 @@ VectorXd Offsets(const std::string& code, const CarrierSet& carriers, double ste
   return offsets;
 }
 
-// Lattice points other than the nearest may cost less together: moves one carrier by one step at a time, as
-// long as that helps. `changes` are the carriers' changes.
+// Lowers the cost of the carrier changes. Lattice points other than the nearest ones may cost less
+// together, so one carrier at a time moves by one step, as long as that helps.
 void CheapenChanges(const MatrixXd& cost, double step, VectorXd& changes)
 {
+  // A bound on the work; the search usually ends earlier.
   constexpr int mostMoves = 2000;
   VectorXd gradient = cost * changes;
   for (int move = 0; move < mostMoves; ++move)
@@ -71,8 +73,10 @@ CarrierProblem::CarrierProblem(const SolidView& view, const SecretKey& key, Inde
 
 double MemoryOfEmbedding(Index vertices, Index carriers)
 {
-  constexpr double patterns = 2.5;
-  return patterns * sizeof(double) * static_cast<double>(vertices) *
+  // The peak memory in units of one response: two responses and half of one as workspace.
+  // Testing/Benchmark/memory measures it.
+  constexpr double patternsAtPeak = 2.5;
+  return patternsAtPeak * sizeof(double) * static_cast<double>(vertices) *
     static_cast<double>(carriers + FrameMoments);
 }
 

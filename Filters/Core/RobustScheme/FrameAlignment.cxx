@@ -19,29 +19,41 @@ using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 using Eigen::VectorXd;
 
+// The degrees of freedom of a frame: three translations, three rotations and the scale.
 constexpr Index Freedoms = 7;
 
-// Of the frame's moments, for its response by differences.
+// The rotation (in radians) and the relative scaling from which finite differences give the
+// response of the carriers to the frame.
 constexpr double SmallChange = 1e-5;
 
-// The pattern search: moves along one freedom, in steps of the carriers' lattice, halved when none
-// helps, until they are this small.
+// The moves that the pattern search tries along each degree of freedom, in steps of the lattice.
 constexpr std::array<double, 3> Moves = { 0.1, 0.2, 0.4 };
-constexpr double SmallestScale = 0.25;
-constexpr int MostMoves = 16;
-constexpr double LeastGain = 1e-5; // of the fit: less is rounding
 
-// What a change costs, in fit for each square step. Attacks change the frame by some tenths of a step.
+// The factor on the moves below which the pattern search ends. It begins with 1 and is halved each
+// time no move helps.
+constexpr double SmallestScale = 0.25;
+
+// The largest number of rounds of the pattern search.
+constexpr int MostMoves = 16;
+
+// The smallest gain in fit that counts as progress; less is rounding error.
+constexpr double LeastGain = 1e-5;
+
+// The cost of a change of the frame, in fit per squared step. Attacks change the frame by a few
+// tenths of a step.
 constexpr double Reluctance = 0.2;
 
-// Of the changes, in least squares, per carrier.
+// The regularisation of the changes in the least-squares problem, per carrier.
 constexpr double Regularization = 1e-4;
 
-// Least squares: carriers farther from their points than this, in steps, count little.
+// The distance from its lattice point, in steps, beyond which a carrier has little weight in the
+// least-squares problem.
 constexpr double Doubtful = 0.25;
+
+// The number of least-squares problems solved one after another.
 constexpr int Refinements = 5;
 
-// The carriers of word b, one of each `blocks`: columns of `soft` (a row for each candidate).
+// The soft bits of code word b, a row per candidate: every `blocks`-th column of `soft` from b on.
 auto WordOf(const MatrixXf& soft, Index b)
 {
   const Index blocks = soft.cols() / GolayCodeBits;
@@ -60,21 +72,22 @@ VectorXd Fits(const MatrixXf& soft)
   return fits / static_cast<double>(soft.cols());
 }
 
+// The factor by which the whitening multiplies the soft bit of each carrier.
 VectorXd Signs(const CarrierSet& carriers)
 {
   VectorXd signs(carriers.Count());
   for (Index j = 0; j < signs.size(); ++j)
   {
-    signs[j] = carriers.Whitening[static_cast<std::size_t>(j)] == '1' ? -1.0 : 1.0;
+    signs[j] = carriers.Whitening[j] == '1' ? -1.0 : 1.0;
   }
   return signs;
 }
 
-// Searches for the changes of frame, in steps, that fit best.
+// Searches for the change of the frame, in steps, that fits the code best.
 class PatternSearch
 {
 public:
-  // `places` are the carriers' values in steps, from their lattices' points for a 0.
+  // `places` are the carrier values in steps, relative to a lattice point for a 0.
   PatternSearch(const VectorXd& places, const MatrixXd& response, const VectorXd& signs)
     : Places(places)
     , Response(response)
@@ -122,7 +135,7 @@ private:
     return candidates;
   }
 
-  // A row for each change; less its cost.
+  // The fit after each change (a row each), less its cost.
   VectorXd FitsOf(const MatrixXd& changes) const
   {
     const MatrixXd places =
@@ -136,14 +149,14 @@ private:
   const VectorXd& Sign;
 };
 
-// From each place to the nearest point of the lattice that holds what was decided.
+// The offset of each place from the nearest lattice point that holds the decided code bit, in
+// steps.
 VectorXd Misses(const VectorXd& places, const std::string& code, const CarrierSet& carriers)
 {
   VectorXd misses(places.size());
   for (Index j = 0; j < places.size(); ++j)
   {
-    const auto at = static_cast<std::size_t>(j);
-    const double offset = code[at] != carriers.Whitening[at] ? 0.5 : 0.0;
+    const double offset = code[j] != carriers.Whitening[j] ? 0.5 : 0.0;
     misses[j] = places[j] - offset - std::round(places[j] - offset);
   }
   return misses;
@@ -187,7 +200,7 @@ MatrixXd FrameResponse(const TriangleMesh& inFrame, const VectorXd& values,
   };
   for (Index axis = 0; axis < 3; ++axis)
   {
-    // exp(i k . d) times the transform
+    // A translation by d multiplies the transform by exp(i k . d).
     response.col(axis).head(waves) = -carriers.Waves.col(axis).cwiseProduct(values.tail(waves));
     response.col(axis).tail(waves) = carriers.Waves.col(axis).cwiseProduct(values.head(waves));
     TriangleMesh::PointMatrix around = TriangleMesh::PointMatrix::Zero(inFrame.Points.rows(), 3);
@@ -200,7 +213,8 @@ MatrixXd FrameResponse(const TriangleMesh& inFrame, const VectorXd& values,
   {
     const double size =
       response.col(freedom).norm() / std::sqrt(static_cast<double>(values.size()));
-    response.col(freedom) /= size > 0.0 ? size : 1.0; // a ball that is turned does not change
+    // A column may be zero: a rotation does not change a ball.
+    response.col(freedom) /= size > 0.0 ? size : 1.0;
   }
   return response;
 }

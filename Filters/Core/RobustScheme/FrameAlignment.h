@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Alignment of carriers whose frame is slightly off, by the code that they hold.
+/// Aligns carriers that were read in a slightly wrong frame, by means of the code that they hold.
 #ifndef SpectralWatermark_Core_RobustScheme_FrameAlignment_h
 #define SpectralWatermark_Core_RobustScheme_FrameAlignment_h
 
@@ -9,29 +9,31 @@
 namespace spectralwatermark
 {
 
-/// Soft bits of carriers, from 1 (surely 0) to -1 (surely 1), without the whitening.
+/// The soft bits of carriers quantised with this step, from 1 (certainly 0) to -1 (certainly 1).
+/// The whitening is undone.
 Eigen::VectorXd SoftBits(const Eigen::VectorXd& values, const CarrierSet& carriers, double step);
 
-/// What the code holds that fits best; `fit` becomes how well, from 0 to 1. Interleaved as in CodeOf().
+/// Decodes the best-fitting data, interleaved as in CodeOf(); sets `fit` to the quality of the
+/// match, in [0, 1].
 std::string Decode(const Eigen::VectorXd& soft, double& fit);
 
-/// How the carriers change when the frame does: a column for each of its seven freedoms (three
-/// translations, three rotations, scale), to first order, each scaled to a root mean square of 1.
-/// `values` are the carriers'.
+/// How the carriers change with the frame, to first order: a column for each of its seven degrees
+/// of freedom (three translations, three rotations and the scale), scaled to a root mean square of
+/// 1. `inFrame` is the mesh in its frame, and `values` are the carrier values there.
 Eigen::MatrixXd FrameResponse(const TriangleMesh& inFrame, const Eigen::VectorXd& values,
   const CarrierSet& carriers, int threads);
 
-/// Values after a change of frame, and what that change cost, in fit: a search that is free to go far
-/// finds what fits by chance.
+/// The carrier values after a change of the frame. A change has a cost, because a search that may
+/// go far finds a good fit by chance.
 struct Alignment
 {
   Eigen::VectorXd Values;
-  double Cost = 0.0;
+  double Cost = 0.0; ///< the cost of the change, to be subtracted from the fit
 };
 
-/// After the change that lets the values fit the code best, its cost taken off: a pattern search from
-/// no change, then least squares on the lattice points that were decided for. Changes move carriers by
-/// half a step or so, no more.
+/// Changes the frame such that the carriers fit the code best, with the cost of the change taken
+/// into account: a pattern search that starts from no change, then least squares on the lattice
+/// points that were decided for. A change moves the carriers by about half a step at most.
 Alignment Align(const Eigen::VectorXd& values, const Eigen::MatrixXd& response,
   const CarrierSet& carriers, double step);
 

@@ -8,10 +8,10 @@
 #include "Core/RobustScheme/Capacity.h"
 #include "Core/RobustScheme/RobustReader.h"
 #include "Core/Support/MemoryBudget.h"
+#include "Core/Support/Text.h"
 
 #include <algorithm>
 #include <iomanip>
-#include <sstream>
 #include <utility>
 
 namespace spectralwatermark
@@ -20,16 +20,16 @@ namespace spectralwatermark
 namespace
 {
 
+// The largest number of attempts to meet the distortion limit.
 constexpr int MostAttempts = 4;
 
-// The part of the budget that a plan may use: the measured distortion differs a little.
+// The share of the distortion limit that the first plan may use. The measured distortion differs a
+// little from the planned one.
 constexpr double PlannedPart = 0.97;
 
 std::string Percent(double part)
 {
-  std::ostringstream text;
-  text << std::setprecision(3) << 100.0 * part << " %";
-  return text.str();
+  return TextOf(std::setprecision(3), 100.0 * part, " %");
 }
 
 void RequireMemoryToEmbed(Index vertices, Index bits)
@@ -39,8 +39,8 @@ void RequireMemoryToEmbed(Index vertices, Index bits)
     "embed fewer bits, or simplify the mesh first");
 }
 
-// Refuses a message whose embedding would move the surface by `distortion`, over the budget; tells how many
-// bits would fit.
+// Throws the error for a message whose embedding would move the surface by `distortion`, more than
+// the limit. It says how many bits would fit.
 [[noreturn]] void RefuseDistortion(const TriangleMesh& oriented, const SecretKey& key,
   const RobustEmbeddingOptions& options, double distortion, const Progress& progress)
 {
@@ -94,7 +94,7 @@ RobustEmbeddingResult EmbedRobust(const TriangleMesh& mesh, const SecretKey& key
     {
       break;
     }
-    // The response is not linear: the next plan allows for the excess over this one.
+    // The response is not linear, so the next plan makes up for the excess of this one.
     budget *= std::min(0.95, options.MaximumDistortion / result.Distortion);
   }
   result.Points = stored.Points;

@@ -24,26 +24,30 @@ namespace
 
 using Eigen::VectorXd;
 
-// Undone smoothings: 0, 5, ..., 60 iterations by the benchmark's factor.
+// The number of smoothing iterations from one level of undone smoothing to the next.
 constexpr int SmoothingStride = 5;
+
+// The number of levels of undone smoothing that are tried: 0, 5, ..., 60 iterations.
 constexpr int NumberOfSmoothings = 13;
+
+// The factor of the benchmark's smoothing, which is undone.
 constexpr double SmoothingFactor = 0.1;
 
-// How much undoing may add to the surface. What was smooth gains a little; noise soon grows over
-// everything.
+// The factor by which undoing smoothing may enlarge the surface. The area of a smooth surface grows
+// little, whereas noise soon covers everything.
 constexpr double MostArea = 2.0;
 
-// Skewness under which the signs of the axes are tried.
+// The clearness of a frame (see SolidFrame) below which all signs of its axes are tried.
 constexpr double ClearSkewness = 0.05;
 
-// A mesh without the mark fits the code by about a half, and never as well as this: no need to try
-// anything else.
+// The fit at which nothing else needs to be tried. A mesh without the mark fits the code by about
+// one half, and never as well as this.
 constexpr double ClearFit = 0.8;
 
-// Of the work, for progress: the rest is alignment.
-constexpr double LooksPart = 0.7;
+// The share of the progress for trying levels of smoothing; the alignment takes the rest.
+constexpr double SmoothingPart = 0.7;
 
-// Sees the mesh in all ways that are to be tried, and keeps the reading that fits best.
+// Reads the mesh under every hypothesis to be tried, and keeps the reading that fits best.
 class Reader
 {
 public:
@@ -57,28 +61,28 @@ public:
 
   RobustReading Run(const Progress& progress)
   {
-    this->TryEverySmoothing(progress.Part(0.0, LooksPart));
+    this->TryEverySmoothing(progress.Part(0.0, SmoothingPart));
     if (this->Best.Fit < ClearFit)
     {
-      this->AlignFrames(progress.Part(LooksPart, 1.0));
+      this->AlignFrames(progress.Part(SmoothingPart, 1.0));
     }
     progress.Report(1.0);
     return this->Best;
   }
 
 private:
-  // The mesh in a frame, and the carriers' values there.
-  struct Sight
+  // The mesh in a frame, and the carrier values there.
+  struct CarrierView
   {
-    SolidView View;
+    SolidView Solid;
     VectorXd Values;
   };
 
-  Sight See(const TriangleMesh& mesh, const SolidFrame& frame) const
+  CarrierView ViewIn(const TriangleMesh& mesh, const SolidFrame& frame) const
   {
-    SolidView view(mesh, frame);
-    VectorXd values = SolidSpectrum(view.Mesh, this->Carrier.Waves, this->Threads);
-    return { std::move(view), std::move(values) };
+    SolidView solid(mesh, frame);
+    VectorXd values = SolidSpectrum(solid.Mesh, this->Carrier.Waves, this->Threads);
+    return { std::move(solid), std::move(values) };
   }
 
   RobustReading ReadingOf(const ReadingHypothesis& hypothesis, const Alignment& aligned) const
@@ -92,7 +96,7 @@ private:
     return reading;
   }
 
-  // The best of all steps; `alignedFor` the step's number.
+  // The best reading over all steps. `alignedFor` gives the alignment for the number of a step.
   template <typename Function>
   RobustReading BestStep(ReadingHypothesis hypothesis, const Function& alignedFor) const
   {
@@ -102,7 +106,7 @@ private:
       {
         ReadingHypothesis tried = hypothesis;
         tried.Step = static_cast<int>(number);
-        readings[static_cast<std::size_t>(number)] = this->ReadingOf(tried, alignedFor(tried.Step));
+        readings[number] = this->ReadingOf(tried, alignedFor(tried.Step));
       });
     return *std::max_element(readings.begin(), readings.end(),
       [](const RobustReading& a, const RobustReading& b) { return a.Fit < b.Fit; });
@@ -124,8 +128,8 @@ private:
   int Threads;
   int Turns;
   RobustReading Best;
-  std::optional<Sight> SeenBest; // what the best reading saw
-  std::vector<Sight> AsItIs;     // what was seen without undoing anything, a turn each
+  std::optional<CarrierView> BestView;     // the view of the best reading
+  std::vector<CarrierView> UnchangedViews; // the views of the unchanged mesh, one per half-turn
 };
 
 void Reader::TryEverySmoothing(const Progress& progress)
@@ -143,23 +147,24 @@ void Reader::TryEverySmoothing(const Progress& progress)
     const bool hasGrown = level > 0 && !(VertexAreas(sharper).sum() < MostArea * area);
     if (!frame || hasGrown)
     {
-      return; // noise is over everything
+      // Noise covers everything, and further levels would only amplify it.
+      return;
     }
     for (int turn = 0; turn < this->Turns; ++turn)
     {
-      Sight sight = this->See(sharper, RotatedByPi(*frame, turn));
+      CarrierView view = this->ViewIn(sharper, RotatedByPi(*frame, turn));
       RobustReading reading = this->BestStep({ level * SmoothingStride, turn, 0 },
-        [&sight](int /*step*/) {
-          return Alignment{ sight.Values, 0.0 };
+        [&view](int /*step*/) {
+          return Alignment{ view.Values, 0.0 };
         });
       if (level == 0)
       {
-        this->AsItIs.push_back(sight);
+        this->UnchangedViews.push_back(view);
       }
       if (reading.Fit > this->Best.Fit)
       {
         this->Best = std::move(reading);
-        this->SeenBest = std::move(sight);
+        this->BestView = std::move(view);
       }
       progress.Report(
         static_cast<double>(level * this->Turns + turn + 1) / (NumberOfSmoothings * this->Turns));
@@ -167,25 +172,26 @@ void Reader::TryEverySmoothing(const Progress& progress)
   }
 }
 
-// Of the mesh as it is with every step, and of what fits best so far where something was undone.
+// Aligns the frame of the unchanged mesh for every step, and that of the best reading so far if it
+// undid some smoothing.
 void Reader::AlignFrames(const Progress& progress)
 {
-  const auto responseOf = [this](const Sight& sight)
-  { return FrameResponse(sight.View.Mesh, sight.Values, this->Carrier, this->Threads); };
+  const auto responseOf = [this](const CarrierView& view)
+  { return FrameResponse(view.Solid.Mesh, view.Values, this->Carrier, this->Threads); };
   const ReadingHypothesis plain = this->Best.Hypothesis;
   if (plain.Smoothing > 0)
   {
     this->Keep(this->ReadingOf(plain,
-      Align(this->SeenBest->Values, responseOf(*this->SeenBest), this->Carrier,
+      Align(this->BestView->Values, responseOf(*this->BestView), this->Carrier,
         StepOfNumber(plain.Step))));
   }
   for (int turn = 0; turn < this->Turns; ++turn)
   {
     progress.Report((turn + 1.0) / (this->Turns + 1.0));
-    const Sight& sight = this->AsItIs[static_cast<std::size_t>(turn)];
-    const Eigen::MatrixXd response = responseOf(sight);
+    const CarrierView& view = this->UnchangedViews[turn];
+    const Eigen::MatrixXd response = responseOf(view);
     this->Keep(this->BestStep({ 0, turn, 0 },
-      [&](int step) { return Align(sight.Values, response, this->Carrier, StepOfNumber(step)); }));
+      [&](int step) { return Align(view.Values, response, this->Carrier, StepOfNumber(step)); }));
   }
 }
 

@@ -21,10 +21,11 @@ namespace
 using Eigen::Matrix3d;
 using Eigen::RowVector3d;
 
-// A volume under this share of area^1.5 is that of rounding. A sphere's is 0.094.
+// The ratio of volume to area^1.5 below which the volume is rounding error. For a sphere it is
+// 0.094.
 constexpr double SmallestSolidity = 1e-6;
 
-// Moments of the solid about the origin.
+// The moments of a solid about the origin, up to the second.
 struct Moments
 {
   double Volume = 0.0;
@@ -49,8 +50,9 @@ Moments MomentsOf(const TriangleMesh& mesh)
   return moments;
 }
 
-// The integrals of x^3, y^3 and z^3 over the solid: V / 20 times the complete homogeneous
-// polynomial of each tetrahedron's corners.
+// The integrals of x^3, y^3 and z^3 over the solid. Each triangle and the origin span a
+// tetrahedron, which contributes V / 20 times the complete homogeneous cubic polynomial of the
+// triangle's corners.
 Eigen::Array3d ThirdMoments(const TriangleMesh& mesh)
 {
   Eigen::Array3d moments = Eigen::Array3d::Zero();
@@ -83,7 +85,7 @@ TriangleMesh::PointMatrix SolidFrame::DifferencesFromFrame(
 
 std::optional<SolidFrame> FrameIfAny(const TriangleMesh& oriented)
 {
-  // About a point within first: moments about a far origin would cancel.
+  // The moments are taken about the mean of the vertices: about a distant origin they would cancel.
   const RowVector3d centre = oriented.Points.colwise().mean();
   TriangleMesh mesh = oriented;
   mesh.Points.rowwise() -= centre;
@@ -104,7 +106,8 @@ std::optional<SolidFrame> FrameIfAny(const TriangleMesh& oriented)
   SolidFrame frame;
   frame.Origin = centre + centroid;
   frame.Axes = principal.eigenvectors().rowwise().reverse().transpose();
-  frame.Axes.row(2) *= frame.Axes.determinant() < 0.0 ? -1.0 : 1.0; // a mirrored solid is another
+  // The frame is right-handed, because a mirrored solid is a different solid.
+  frame.Axes.row(2) *= frame.Axes.determinant() < 0.0 ? -1.0 : 1.0;
   frame.Scale = std::sqrt(variances.sum());
   mesh.Points = frame.ToFrame(oriented.Points);
   const Eigen::Array3d skewness = ThirdMoments(mesh) /
@@ -123,7 +126,7 @@ std::optional<SolidFrame> FrameIfAny(const TriangleMesh& oriented)
   std::array<double, 3> clear = { std::abs(skewness[0]), std::abs(skewness[1]),
     std::abs(skewness[2]) };
   std::sort(clear.begin(), clear.end());
-  // Which axis gives way must be clear as well.
+  // In a left-handed frame the least clear axis is reversed, so it must be clear which one that is.
   frame.Clearness = isLeftHanded ? clear[1] - clear[0] : clear[1];
   return frame;
 }
@@ -133,7 +136,7 @@ SolidFrame FrameOf(const TriangleMesh& oriented)
   const std::optional<SolidFrame> frame = FrameIfAny(oriented);
   if (!frame)
   {
-    throw InvalidInput("",
+    throw InvalidInput("Scheme",
       "the surface encloses no volume, or is too open to have an inside, which the robust scheme "
       "needs",
       "close it, or use the paper's scheme");

@@ -19,9 +19,11 @@ namespace
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Of the waves' Gram matrix, relative to the largest: less is rounding.
+// The smallest pivot of the patterns' Gram matrix, relative to the largest, that is not rounding
+// error.
 constexpr double SmallestPivot = 1e-10;
 
+// The functions on the surface that belong to the moments: a column each, a row per point.
 MatrixXd MomentsOf(const TriangleMesh::PointMatrix& points)
 {
   MatrixXd rows(points.rows(), FrameMoments);
@@ -42,10 +44,11 @@ MatrixXd MomentsOf(const TriangleMesh::PointMatrix& points)
   return rows;
 }
 
-// The lower triangle of patterns^T diag(weights) patterns; what is above it is not set.
+// The lower triangle of patterns^T diag(weights) patterns. The entries above it are not set.
 MatrixXd LowerGram(const VectorXd& weights, const MatrixXd& patterns, int threads)
 {
-  constexpr Index columns = 32; // of a task: the sums are the same on any number of threads
+  // The number of columns of a task. It is fixed, so that the sums do not depend on the threads.
+  constexpr Index columns = 32;
   const Index size = patterns.cols();
   MatrixXd gram(size, size);
   ForEachTask(threads, (size + columns - 1) / columns,

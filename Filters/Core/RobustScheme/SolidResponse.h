@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The response of a solid's carriers (CarrierSet.h) to displacements of its surface.
+/// How the carriers of a solid (CarrierSet.h) respond to displacements of its surface.
 #ifndef SpectralWatermark_Core_RobustScheme_SolidResponse_h
 #define SpectralWatermark_Core_RobustScheme_SolidResponse_h
 
@@ -9,38 +9,41 @@
 namespace spectralwatermark
 {
 
-/// The solid as the carriers see it: the mesh in its frame.
+/// A solid in its own frame, where the carriers are read.
 struct SolidView
 {
   explicit SolidView(const TriangleMesh& oriented);
   SolidView(const TriangleMesh& oriented, const SolidFrame& frame);
 
   SolidFrame Frame;
-  TriangleMesh Mesh; ///< in the frame
+  TriangleMesh Mesh; ///< in coordinates of the frame
 };
 
-/// The volume, its centre, and the second and third moments that the frame is made from: functions over
-/// the surface. A displacement along the normals that is orthogonal to them leaves the frame as it is.
+/// The number of moments that determine the frame: the volume, three first, six second and three
+/// third moments. Each belongs to a function on the surface. A displacement along the normals that
+/// is orthogonal to all of these functions leaves the frame unchanged, to first order.
 constexpr Index FrameMoments = 13;
 
-/// Displacements along the normals that change the carriers, to first order, by what is asked for and
-/// the frame not at all: the smallest ones in mean square over the surface.
+/// Displacements of a surface along its normals that change the carriers by given amounts and leave
+/// the frame unchanged, both to first order. They are the smallest in mean square over the surface.
 class SolidResponse
 {
 public:
-  /// Throws InvalidInput where the carriers' waves cannot be told apart on the surface.
+  /// Throws InvalidInput if the waves of the carriers cannot be told apart on the surface.
   SolidResponse(const SolidView& view, const CarrierSet& carriers, int threads);
 
-  /// A length for each vertex, in the frame.
+  /// The displacement of each vertex along its normal that changes carrier i by changes[i], in the
+  /// frame's scale.
   Eigen::VectorXd Displacements(const Eigen::VectorXd& changes) const;
 
-  /// Of the carriers' changes r: the square of the displacements' root mean square is r^T Cost r.
+  /// The cost matrix of the first `carriers` carriers: changes r take a mean square displacement of
+  /// r^T Cost r, in (scale of the frame)^2.
   Eigen::MatrixXd Cost(Index carriers) const;
 
 private:
-  Eigen::VectorXd Areas;
-  Eigen::MatrixXd Patterns; // a column for each carrier and moment
-  Eigen::MatrixXd Inverse;  // of their Gram matrix
+  Eigen::VectorXd Areas;    // of the vertices
+  Eigen::MatrixXd Patterns; // a column per carrier and per moment, a row per vertex
+  Eigen::MatrixXd Inverse;  // the inverse of the patterns' Gram matrix
 };
 
 } // namespace spectralwatermark

@@ -19,23 +19,27 @@ namespace
 
 using Eigen::RowVector3d;
 
-// Sums over triangles are accumulated in this many parts, whatever the number of threads.
+// The number of partial sums over the triangles. It is fixed, so that the result does not depend on
+// the number of threads.
 constexpr Index Parts = 64;
 
-// A series is taken where the phases at a triangle's corners differ from their mean by no more than this.
+// The largest deviation of the phases at a triangle's corners from their mean at which the integral
+// is taken from a series.
 constexpr double LargestPhase = 1.0;
 
 // The mean of exp(i x) from a to b.
 std::complex<double> MeanBetween(double a, double b)
 {
-  constexpr double nothing = 1e-4; // the series' next term is under 1e-18
+  // Below this, two terms of the series of sin(x) / x are enough: the third is under 1e-18.
+  constexpr double small = 1e-4;
   const double half = 0.5 * (b - a);
-  const double sinc = half < nothing ? 1.0 - half * half / 6.0 : std::sin(half) / half;
+  const double sinc = half < small ? 1.0 - half * half / 6.0 : std::sin(half) / half;
   return sinc * std::polar(1.0, 0.5 * (a + b));
 }
 
-// The same over a triangle, halved: the second divided difference of -exp(i x) at its corners' phases
-// (Hermite and Genocchi), which are not all close to each other.
+// Half the mean of exp(i x) over a triangle with these phases x at its corners: the second divided
+// difference of -exp(i x) at the phases (Hermite and Genocchi). The phases must not all be close to
+// each other.
 std::complex<double> HalfMeanOfFarPhases(std::array<double, 3> phase)
 {
   std::sort(phase.begin(), phase.end());
@@ -44,8 +48,9 @@ std::complex<double> HalfMeanOfFarPhases(std::array<double, 3> phase)
   return std::complex<double>(0.0, -1.0) * change / (phase[2] - phase[0]);
 }
 
-// The mean of exp(i k . x) over a triangle, halved. With phases about their mean m, exp(i m) times the
-// series of complete homogeneous polynomials; the term left out is under 1e-6 of the whole.
+// Half the mean of exp(i k . x) over a triangle. It is exp(i m), where m is the mean of the phases
+// at the corners, times a series of complete homogeneous polynomials of the deviations from m; the
+// first term left out is under 1e-6 of the whole.
 std::complex<double> HalfMean(const RowVector3d& k, const Corners& c)
 {
   const std::array<double, 3> phases = { k.dot(c[0]), k.dot(c[1]), k.dot(c[2]) };
@@ -82,7 +87,7 @@ Eigen::VectorXd SolidSpectrum(const TriangleMesh& oriented, const Eigen::MatrixX
   ForEachTask(threads, Parts,
     [&](Index part)
     {
-      Eigen::VectorXcd& sum = sums[static_cast<std::size_t>(part)];
+      Eigen::VectorXcd& sum = sums[part];
       sum.setZero(count);
       for (Index t = part * triangles / Parts; t < (part + 1) * triangles / Parts; ++t)
       {

@@ -8,9 +8,11 @@
 namespace spectralwatermark
 {
 
-/// The integral of exp(i k . x) over the inside of the solid, for each row k of `waves`: the real parts,
-/// then the imaginary ones. By the divergence theorem a sum over triangles, with an error under 1e-6 of
-/// each. For an open surface the sum over its triangles is taken as it is.
+/// The integral of exp(i k . x) over the interior of the solid for each row k of `waves`: first the
+/// real parts, then the imaginary ones. `oriented` is consistently oriented, in the units in which
+/// `waves` are reciprocal lengths. By the divergence theorem the integral is a sum over the
+/// triangles; each term has a relative error below 1e-6. For an open surface the result is the sum
+/// over its triangles.
 Eigen::VectorXd SolidSpectrum(const TriangleMesh& oriented, const Eigen::MatrixXd& waves,
   int threads);
 

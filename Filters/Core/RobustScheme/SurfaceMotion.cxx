@@ -20,12 +20,15 @@ using Eigen::VectorXd;
 
 // The largest carrier error, in steps, at which a round counts as converged.
 constexpr double GoodError = 0.005;
+
+// The largest number of rounds.
 constexpr int MostRounds = 12;
 
-// Rounds reuse the response of the original mesh, which is most of the work, as long as each leaves no more
-// than this part of the error.
+// The share of the previous error above which a round counts as slow. Rounds reuse the response of
+// the original mesh until one is slow, because computing a response is most of the work.
 constexpr double SlowRound = 0.2;
 
+// The root mean square displacement over the surface, in the model's units.
 double RootMeanSquare(const TriangleMesh& mesh, const TriangleMesh::PointMatrix& moved)
 {
   const VectorXd areas = VertexAreas(mesh);
@@ -47,8 +50,8 @@ SurfaceMotion::Result SurfaceMotion::Run(const EmbeddingPlan& plan, const Progre
 {
   Result result;
   TriangleMesh mesh = this->Original;
-  std::optional<SolidResponse>
-    current; // replaces the original's response once that no longer serves
+  // Replaces the response of the original mesh after a slow round.
+  std::optional<SolidResponse> current;
   double lastError = std::numeric_limits<double>::infinity();
   for (int round = 0; round <= MostRounds; ++round)
   {
@@ -65,7 +68,8 @@ SurfaceMotion::Result SurfaceMotion::Run(const EmbeddingPlan& plan, const Progre
     }
     if (round > 0 && error > SlowRound * lastError)
     {
-      current.reset(); // a response is large: two would not fit
+      // A response is large, so the old one is freed before the new one is made.
+      current.reset();
       current.emplace(view, this->Problem.Carriers, this->Threads);
     }
     lastError = error;

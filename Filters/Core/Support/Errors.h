@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// What the Core throws. Misuse throws; a computation that does not converge is a status.
+/// The errors that Core throws. Misuse throws; a computation that does not converge is a status.
 #ifndef SpectralWatermark_Core_Support_Errors_h
 #define SpectralWatermark_Core_Support_Errors_h
 
@@ -29,13 +29,16 @@ struct Failure : std::runtime_error
       (advice.empty() ? "" : "; " + advice);
   }
 
-  std::string
-    Parameter;        ///< the option at fault, by its name in the options struct; empty: the mesh
-  std::string Reason; ///< what is wrong, without the parameter's name
-  std::string Advice; ///< what the user can do; may be empty
+  /// The option at fault, by its name in the options struct; empty if it is the mesh.
+  std::string Parameter;
+  /// What is wrong, without the parameter's name.
+  std::string Reason;
+  /// What the user can do; may be empty.
+  std::string Advice;
 };
 
-/// The caller can correct it: a bad mesh, or parameters that contradict each other or do not fit the mesh.
+/// An error that the caller can correct: a bad mesh, or parameters that contradict each other or do
+/// not fit the mesh.
 struct InvalidInput : Failure
 {
   using Failure::Failure;

@@ -2,6 +2,7 @@
 #include "Core/Support/MemoryBudget.h"
 
 #include "Core/Support/Errors.h"
+#include "Core/Support/Text.h"
 
 #include <algorithm>
 #include <iomanip>
@@ -112,10 +113,8 @@ double FreeOfGroups(std::string path, const GroupFiles& names)
 std::string Amount(double bytes)
 {
   constexpr double giga = 1e9;
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(bytes < 10.0 * giga ? 1 : 0)
-       << std::max(0.0, bytes) / giga << " GB";
-  return text.str();
+  return TextOf(std::fixed, std::setprecision(bytes < 10.0 * giga ? 1 : 0),
+    std::max(0.0, bytes) / giga, " GB");
 }
 
 } // namespace

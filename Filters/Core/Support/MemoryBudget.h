@@ -20,8 +20,8 @@ double AvailableMemory();
 /// "/".
 double AvailableMemoryOfGroups(const std::string& root = "");
 
-/// Throws InvalidInput when `bytes` exceed AvailableMemory(). `work` is what needs them, in the plural;
-/// `advice` is what the user can do, about `parameter` if one decides.
+/// Throws InvalidInput when `bytes` exceed AvailableMemory(). `work` is what needs them, in the
+/// plural; `advice` is what the user can do, about `parameter` if one decides.
 void RequireMemory(double bytes, const std::string& work, const std::string& advice,
   const std::string& parameter = "");
 

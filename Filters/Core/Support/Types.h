@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Types and constants that every room uses.
+/// Types and constants that all of Core uses.
 #ifndef SpectralWatermark_Core_Support_Types_h
 #define SpectralWatermark_Core_Support_Types_h
 

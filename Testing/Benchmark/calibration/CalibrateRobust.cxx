@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether the p-values of the scheme Robust are what they say: reads meshes that carry no mark, and the
-// same meshes marked under another key, with many keys, and counts how many bits agree with what each key
-// derives. A key is a trial: messages drawn at random would agree binomially with anything.
+// Measures whether the p-values of the scheme Robust are calibrated. Reads unmarked meshes, and the
+// same meshes marked under another key, with many keys, and counts the bits that agree with the
+// message of each key. A key is a trial: messages drawn at random would agree binomially with
+// anything.
 //
 //     CalibrateRobust KEYS MESH.ply ...
 //
-// KEYS for each mesh, half of them on the mesh as it is, half on it marked. Messages have 4 bits, which
-// with their check make 24. Prints the numbers of agreeing bits beside
-// those of the exact distribution, and the false positives beside theirs.
+// KEYS is the number of keys for each mesh: half are tried on the unmarked mesh, half on the marked
+// one. Messages have 4 bits, 24 with their check. Prints the counts of agreeing bits and the false
+// positives, each with those of the exact distribution.
 #include "Benchmark/BenchmarkMesh.h"
 #include "Core/Payload/Bits.h"
 #include "Core/Payload/SecretKey.h"

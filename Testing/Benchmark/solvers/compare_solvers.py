@@ -5,7 +5,8 @@
 The program SolveHarmonics of the test build runs our block Lanczos solver and Spectra. SciPy's eigsh
 (ARPACK, SuperLU) and, where they are installed, SLEPc's Krylov-Schur with MUMPS run here. All use
 shift-invert to the same tolerance. The solvers take turns, each run in a process of its own. Times are
-medians of the solve alone, without reading or assembling anything.
+medians of the solve alone, without reading or assembling anything. The BLAS that a peer ran with stands
+behind its figures; Debian's update-alternatives (libblas.so.3) chooses it.
 
     /usr/bin/python3 Testing/Benchmark/solvers/compare_solvers.py compare bunny --harmonics 100 300
     PYTHONPATH=build/lib/python3/dist-packages \\
@@ -23,6 +24,7 @@ import csv
 import importlib.util
 import json
 import os
+import re
 import resource
 import statistics
 import subprocess
@@ -114,13 +116,20 @@ def relative_residuals(folder: Path, values: np.ndarray, vectors: np.ndarray) ->
     return residuals / ((np.abs(values) + 1.0) * np.linalg.norm(massed, axis=0))
 
 
+def loaded_blas() -> str:
+    """The file names of the BLAS libraries in this process; which BLAS a peer runs with decides much."""
+    paths = {line.split()[-1] for line in Path("/proc/self/maps").read_text().splitlines() if "/" in line}
+    names = {Path(path).resolve() for path in paths if re.search(r"blas|mkl|blis", Path(path).name)}
+    return ", ".join(sorted("/".join(path.parts[-2:]) for path in names)) or "none"
+
+
 def solve_here(solver: str, folder: Path, count: int, values_file: Path) -> None:
     seconds, values, vectors = {"scipy": solve_with_scipy,
                                 "slepc": solve_with_slepc}[solver](folder, count)
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
     np.savetxt(values_file, values, fmt="%.17g")
     residual = float(relative_residuals(folder, values, vectors).max())
-    print(json.dumps({"seconds": seconds, "peak_mib": peak, "residual": residual}))
+    print(json.dumps({"seconds": seconds, "peak_mib": peak, "residual": residual, "blas": loaded_blas()}))
 
 
 # --- Many solves ---------------------------------------------------------------------------------
@@ -177,7 +186,7 @@ def compare(bench: Bench, mesh: str, count: int, solvers: Sequence[str], runs: i
     """Prints a table; a row for each solver."""
     print(f"\n{mesh}, {count} harmonics, medians of {runs}", flush=True)
     print(f"{'solver':<28}{'seconds':>10}{'min':>9}{'max':>9}{'ratio':>8}{'peak MiB':>10}"
-          f"{'residual':>11}{'difference':>12}")
+          f"{'residual':>11}{'difference':>12}  BLAS")
     results: dict[str, list[dict]] = {solver: [] for solver in solvers}
     for _ in range(runs):
         for solver in solvers:
@@ -195,12 +204,13 @@ def compare(bench: Bench, mesh: str, count: int, solvers: Sequence[str], runs: i
             "peak_mib": max(run["peak_mib"] for run in taken),
             "residual": max(run["residual"] for run in taken),
             "difference": max(disagreement(run["values"], ours[0]["values"]) for run in taken),
+            "blas": taken[0].get("blas", "none"),  # our program and Spectra link none
         }
         rows.append(row)
         wrong = row["difference"] > AGREEMENT or row["residual"] > largest_residual
         print(f"{row['solver']:<28}{row['seconds']:>10.2f}{row['fastest']:>9.2f}"
               f"{row['slowest']:>9.2f}{row['ratio']:>8.1f}{row['peak_mib']:>10.0f}"
-              f"{row['residual']:>11.1e}{row['difference']:>12.1e}{'  WRONG' if wrong else ''}",
+              f"{row['residual']:>11.1e}{row['difference']:>12.1e}  {row['blas']}{'  WRONG' if wrong else ''}",
               flush=True)
     return rows
 

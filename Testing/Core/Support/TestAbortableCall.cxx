@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Calls on a thread of their own: their result, and what an abort leaves running.
 #include "Core/Support/AbortableCall.h"
+#include "Core/Support/Errors.h"
+#include "Core/Support/Progress.h"
 
 #include <gtest/gtest.h>
 

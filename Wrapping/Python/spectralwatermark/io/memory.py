@@ -4,6 +4,7 @@
 Linux grants memory that is not there, and kills the process that uses it. Each format's module
 holds MEMORY_PER_BYTE: the least peak memory that was measured for each byte of a file, with a mesh
 of a million triangles. Text and compressed files take up to four times as much.
+Testing/Benchmark/memory measures it.
 """
 
 from __future__ import annotations
