@@ -12,10 +12,14 @@
 #     fuzz         every fuzz target for 20 seconds
 #     coverage     at least 90 % of the lines of Filters/
 #     paraview     the plugin, in ParaView
-#     release      the quick set, with large scans in every mode and a million triangles
+#     release      every test in its long form: scans in every mode, all trials, a million triangles
 #     determinism  bits and decisions of a debug build beside those of the release
 #     valgrind     some of the tests under valgrind
 #     packages     the Debian packages in a clean root
+#
+# Quick are: the tests of the release build, each of at most about 15 seconds of processor time. Longer
+# ones look at SPECTRALWATERMARK_FULL_TESTS, which --full sets: without it they try fewer cases, or are
+# skipped where no smaller form keeps their meaning. Benchmarks are built by --full alone.
 #
 # Tests on real scans look in SPECTRALWATERMARK_MESH_DIR and skip without it (see CONTRIBUTING.md).
 set -euo pipefail
@@ -72,17 +76,18 @@ run_paraview() {
 
 build_release() {
   cmake --preset release -DSPECTRALWATERMARK_BUILD_TESTING=ON \
-    -DSPECTRALWATERMARK_WARNINGS_AS_ERRORS=ON
+    -DSPECTRALWATERMARK_WARNINGS_AS_ERRORS=ON -DSPECTRALWATERMARK_BUILD_BENCHMARKS="${1:-ON}"
   cmake --build --preset release
 }
 
 run_quick() {
-  build_release
+  build_release OFF
   ctest --preset release -j "$jobs"
 }
 
 run_release() {
-  SPECTRALWATERMARK_FULL_TESTS=1 run_quick
+  build_release
+  SPECTRALWATERMARK_FULL_TESTS=1 ctest --preset release -j "$jobs"
 }
 
 run_determinism() {

@@ -19,6 +19,8 @@
 
 #include <memory>
 #include <new>
+#include <ostream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -60,13 +62,138 @@ vtkSmartPointer<vtkPolyData> HugeSphere()
   return PolyData(shapes::Icosphere(7)); // 327,680 triangles
 }
 
+vtkSmartPointer<vtkManifoldHarmonics> HarmonicsOf(vtkPolyData* mesh, int count = 100)
+{
+  auto harmonics = vtkSmartPointer<vtkManifoldHarmonics>::New();
+  harmonics->SetInputData(mesh);
+  harmonics->SetNumberOfHarmonics(count);
+  return harmonics;
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> LargeHarmonics()
+{
+  return HarmonicsOf(LargeSphere());
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> DenseHarmonics()
+{
+  const auto harmonics = HarmonicsOf(PolyData(shapes::Icosphere(4)));
+  harmonics->SetSolverToDense();
+  return harmonics;
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> ReconstructionFromABasis()
+{
+  const auto harmonics = HarmonicsOf(LargeSphere(), 60);
+  harmonics->Update();
+  auto reconstruction = vtkSmartPointer<vtkManifoldHarmonicsReconstruction>::New();
+  reconstruction->SetInputData(harmonics->GetOutput());
+  return reconstruction;
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> LargeEmbedding()
+{
+  auto embed = vtkSmartPointer<vtkSpectralWatermarkEmbed>::New();
+  embed->SetInputData(LargeSphere());
+  embed->SetSecretKey("an owner");
+  return embed;
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> LargeEmbeddingInPaperSlots()
+{
+  auto embed = vtkSmartPointer<vtkSpectralWatermarkEmbed>::New();
+  embed->SetInputData(LargeSphere());
+  embed->SetSchemeToPaperSlots();
+  embed->SetMessage("1011001110001111");
+  return embed;
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> HugeDetection()
+{
+  auto detect = vtkSmartPointer<vtkSpectralWatermarkDetect>::New();
+  detect->SetInputData(HugeSphere());
+  detect->SetSecretKey("an owner");
+  return detect;
+}
+
+vtkSmartPointer<vtkMeshDistortion> HugeDistortion()
+{
+  auto distortion = vtkSmartPointer<vtkMeshDistortion>::New();
+  distortion->SetInputData(0, HugeSphere());
+  distortion->SetInputData(1, HugeSphere());
+  return distortion;
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> AttackOnManyTriangles()
+{
+  shapes::TriangleMesh mesh = shapes::Icosphere(0);
+  mesh.Triangles = mesh.Triangles.row(0).replicate(1000000, 1).eval();
+  auto attack = vtkSmartPointer<vtkMeshAttack>::New();
+  attack->SetInputData(PolyData(mesh));
+  return attack;
+}
+
+struct Case
+{
+  const char* Name;
+  vtkSmartPointer<vtkPolyDataAlgorithm> (*Filter)();
+  const char* Work;
+  const char* Advice;
+  double Free = Little;
+};
+
+void PrintTo(const Case& that, std::ostream* os)
+{
+  *os << that.Name;
+}
+
+const Case Cases[] = {
+  { "Harmonics", LargeHarmonics, "100 harmonics of 40962 vertices", "ask for fewer harmonics" },
+  { "DenseSolver", DenseHarmonics, "100 harmonics of 2562 vertices", "choose another solver" },
+  { "ExistingBasis", ReconstructionFromABasis, "60 harmonics of 40962 vertices",
+    "ask for fewer harmonics" },
+  { "Embedding", LargeEmbedding, "64 bits in 40962 vertices", "embed fewer bits" },
+  // One basis would fit; the second is computed beside it.
+  { "EmbeddingInPaperSlots", LargeEmbeddingInPaperSlots, "180 harmonics of 40962 vertices",
+    "ask for fewer harmonics (or bits)", 40962 * (3900 + 20 * 180) },
+  { "Detection", HugeDetection, "327680 triangles", "simplify the mesh first" },
+  { "Distortion", [] { return vtkSmartPointer<vtkPolyDataAlgorithm>(HugeDistortion()); },
+    "655360 triangles", "simplify the mesh first" },
+  { "AnyMesh", AttackOnManyTriangles, "1000000 triangles", "simplify the mesh first" },
+  { "Smoothing",
+    []
+    {
+      return vtkSmartPointer<vtkPolyDataAlgorithm>(
+        AttackOn(HugeSphere(), vtkMeshAttack::LaplacianSmoothing));
+    },
+    "327680 triangles", "simplify the mesh first" },
+  { "Simplification",
+    []
+    {
+      return vtkSmartPointer<vtkPolyDataAlgorithm>(
+        AttackOn(HugeSphere(), vtkMeshAttack::Simplification));
+    },
+    "327680 triangles", "simplify the mesh first" },
+};
+
+class WorkThatDoesNotFit : public testing::TestWithParam<Case>
+{
+};
+
 } // namespace
 
-TEST(MemoryLimit, Harmonics)
+TEST_P(WorkThatDoesNotFit, IsRefused)
 {
-  vtkNew<vtkManifoldHarmonics> harmonics;
-  harmonics->SetInputData(LargeSphere());
-  harmonics->SetNumberOfHarmonics(100);
+  const Case& that = GetParam();
+  ExpectRefusal(that.Filter(), that.Work, that.Advice, that.Free);
+}
+
+INSTANTIATE_TEST_SUITE_P(Filters, WorkThatDoesNotFit, testing::ValuesIn(Cases),
+  [](const testing::TestParamInfo<Case>& refused) { return std::string(refused.param.Name); });
+
+TEST(MemoryBudget, AFilterWorksOnceItsWorkFits)
+{
+  const auto harmonics = LargeHarmonics();
   ExpectRefusal(harmonics, "100 harmonics of 40962 vertices", "ask for fewer harmonics");
   harmonics->Modified();
   harmonics->Update();
@@ -74,79 +201,11 @@ TEST(MemoryLimit, Harmonics)
   EXPECT_EQ(PointArray(harmonics->GetOutput(), "ManifoldHarmonics")->GetNumberOfComponents(), 100);
 }
 
-TEST(MemoryLimit, TheDenseSolver)
+TEST(MemoryBudget, ARefusedDistortionIsUnknown)
 {
-  vtkNew<vtkManifoldHarmonics> harmonics;
-  harmonics->SetSolverToDense();
-  harmonics->SetInputData(PolyData(shapes::Icosphere(4)));
-  ExpectRefusal(harmonics, "100 harmonics of 2562 vertices", "choose another solver");
-}
-
-TEST(MemoryLimit, Embedding)
-{
-  vtkNew<vtkSpectralWatermarkEmbed> embed;
-  embed->SetInputData(LargeSphere());
-  embed->SetSecretKey("an owner");
-  ExpectRefusal(embed, "64 bits in 40962 vertices", "embed fewer bits");
-}
-
-// One basis would fit; the second is computed beside it.
-TEST(MemoryLimit, EmbeddingByThePaper)
-{
-  vtkNew<vtkSpectralWatermarkEmbed> embed;
-  embed->SetInputData(LargeSphere());
-  embed->SetSchemeToPaperSlots();
-  embed->SetMessage("1011001110001111");
-  ExpectRefusal(embed, "180 harmonics of 40962 vertices", "ask for fewer harmonics (or bits)",
-    40962 * (3900 + 20 * 180));
-}
-
-TEST(MemoryLimit, AnyMesh)
-{
-  shapes::TriangleMesh mesh = shapes::Icosphere(0);
-  mesh.Triangles = mesh.Triangles.row(0).replicate(1000000, 1).eval();
-  vtkNew<vtkMeshAttack> attack;
-  attack->SetInputData(PolyData(mesh));
-  ExpectRefusal(attack, "1000000 triangles", "simplify the mesh first");
-}
-
-TEST(MemoryLimit, ABasisThatIsThere)
-{
-  vtkNew<vtkManifoldHarmonics> harmonics;
-  harmonics->SetInputData(LargeSphere());
-  harmonics->SetNumberOfHarmonics(60);
-  harmonics->Update();
-  vtkNew<vtkManifoldHarmonicsReconstruction> reconstruction;
-  reconstruction->SetInputData(harmonics->GetOutput());
-  ExpectRefusal(reconstruction, "60 harmonics of 40962 vertices", "ask for fewer harmonics");
-}
-
-TEST(MemoryLimit, Detection)
-{
-  vtkNew<vtkSpectralWatermarkDetect> detect;
-  detect->SetInputData(HugeSphere());
-  detect->SetSecretKey("an owner");
-  ExpectRefusal(detect, "327680 triangles", "simplify the mesh first");
-}
-
-TEST(MemoryLimit, Distortion)
-{
-  vtkNew<vtkMeshDistortion> distortion;
-  distortion->SetInputData(0, HugeSphere());
-  distortion->SetInputData(1, HugeSphere());
+  const auto distortion = HugeDistortion();
   ExpectRefusal(distortion, "655360 triangles", "simplify the mesh first");
   EXPECT_EQ(distortion->GetMSDM2(), -1.0);
-}
-
-TEST(MemoryLimit, AttacksOnTheMeshAsItIs)
-{
-  vtkNew<vtkMeshAttack> attack;
-  attack->SetInputData(HugeSphere());
-  for (const int kind : { vtkMeshAttack::LaplacianSmoothing, vtkMeshAttack::Simplification })
-  {
-    attack->SetAttack(kind);
-    ExpectRefusal(attack, "327680 triangles", "simplify the mesh first");
-  }
 }
 
 namespace
@@ -159,14 +218,6 @@ vtkSmartPointer<vtkPolyDataAlgorithm> DetectionIn(vtkPolyData* mesh)
   detect->SetSecretKey("an owner");
   detect->SetNumberOfBits(2); // is done soon
   return detect;
-}
-
-vtkSmartPointer<vtkPolyDataAlgorithm> HarmonicsOfLargeSphere()
-{
-  auto harmonics = vtkSmartPointer<vtkManifoldHarmonics>::New();
-  harmonics->SetInputData(LargeSphere());
-  harmonics->SetNumberOfHarmonics(100);
-  return harmonics;
 }
 
 // 9.7 pieces for each of its triangles, and a grid of 94 cells along each side.
@@ -195,7 +246,7 @@ bool Succeeds(vtkPolyDataAlgorithm* filter, double free)
 } // namespace
 
 // The estimates: a little less is refused, and with what they ask for the work comes to its end.
-TEST(MemoryLimit, WhatIsAskedForSuffices)
+TEST(MemoryBudget, WhatIsAskedForSuffices)
 {
   const auto sphere = HugeSphere();
   const auto torus = PolyData(shapes::Torus(400, 160));
@@ -209,7 +260,7 @@ TEST(MemoryLimit, WhatIsAskedForSuffices)
     { AttackOn(torus, vtkMeshAttack::Subdivision), 165.0 * 4.0 * ofTorus },
     { AttackOn(LargeSphere(), vtkMeshAttack::Remeshing), BytesToRemeshLargeSphere },
     { IsosurfaceOf(LargeSphere()), BytesOfIsosurface },
-    { HarmonicsOfLargeSphere(), vertices * (3900.0 + 17.0 * 100.0) },
+    { LargeHarmonics(), vertices * (3900.0 + 17.0 * 100.0) },
   };
   for (const auto& [filter, bytes] : asked)
   {
@@ -220,7 +271,7 @@ TEST(MemoryLimit, WhatIsAskedForSuffices)
 }
 
 // Too little for what no estimate asks about.
-TEST(MemoryLimit, AnAllocationThatFails)
+TEST(MemoryBudget, AnAllocationThatFailsIsReported)
 {
   vtkNew<vtkMeshAttack> attack;
   attack->SetInputData(LargeSphere());
@@ -245,7 +296,7 @@ TEST(MemoryLimit, AnAllocationThatFails)
   EXPECT_EQ(attack->GetOutput()->GetNumberOfPoints(), 0);
 }
 
-TEST(MemoryLimit, WhatIsFreeIsTold)
+TEST(MemoryBudget, FreeMemoryIsReported)
 {
   const AddressSpaceLimit limit(Little);
   ASSERT_TRUE(limit.Holds());
@@ -253,7 +304,7 @@ TEST(MemoryLimit, WhatIsFreeIsTold)
   EXPECT_GT(vtkSpectralWatermarkAlgorithm::GetAvailableMemory(), 0.5 * Little);
 }
 
-TEST(MemoryLimit, Attacks)
+TEST(MemoryBudget, AttacksNameTheirParameter)
 {
   vtkNew<vtkMeshAttack> attack;
   attack->SetInputData(LargeSphere());

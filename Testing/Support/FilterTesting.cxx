@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Mesh/TriangleMesh.h"
-
 #include "Support/FilterTesting.h"
+
+#include "Core/Mesh/TriangleMesh.h"
+#include "Private/PolyDataMesh.h"
+#include "Support/FullTests.h"
 
 #include <Eigen/Geometry>
 
 #include <vtkAlgorithm.h>
-#include <vtkCellArray.h>
 #include <vtkCommand.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
@@ -19,7 +20,6 @@
 #include <vtkNew.h>
 #include <vtkPLYReader.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSpectralWatermarkDetect.h>
 #include <vtkSpectralWatermarkEmbed.h>
@@ -36,22 +36,7 @@ using shapes::TriangleMesh;
 
 vtkSmartPointer<vtkPolyData> PolyData(const TriangleMesh& mesh, bool storesFloat)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataType(storesFloat ? VTK_FLOAT : VTK_DOUBLE);
-  for (Index v = 0; v < mesh.NumberOfVertices(); ++v)
-  {
-    points->InsertNextPoint(mesh.Points(v, 0), mesh.Points(v, 1), mesh.Points(v, 2));
-  }
-  vtkNew<vtkCellArray> polygons;
-  for (Index t = 0; t < mesh.NumberOfTriangles(); ++t)
-  {
-    const auto corners = mesh.Triangles.row(t);
-    polygons->InsertNextCell({ corners[0], corners[1], corners[2] });
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetPolys(polygons);
-  return data;
+  return spectralwatermark::ToPolyData(mesh, storesFloat);
 }
 
 vtkSmartPointer<vtkPolyData> Soup(const TriangleMesh& mesh)
@@ -242,8 +227,7 @@ std::string WhyToSkip(const std::string& name, vtkPolyData* scan, bool evenIfLar
     return "no " + name + ".ply in " + MeshDirectory() +
       ": set SPECTRALWATERMARK_MESH_DIR to a folder with the scans";
   }
-  const bool isLeftOut = !evenIfLarge && scan->GetNumberOfPoints() > large &&
-    std::getenv("SPECTRALWATERMARK_FULL_TESTS") == nullptr;
+  const bool isLeftOut = !evenIfLarge && scan->GetNumberOfPoints() > large && !RunsFullTests();
   return isLeftOut ? "large: set SPECTRALWATERMARK_FULL_TESTS (./test.sh --full does)" : "";
 }
 

@@ -204,7 +204,7 @@ TEST(Eigensolver, RefusesDamagedNumbers)
   notANumber.Stiffness.coeffRef(7, 7) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(FailureOf(BlockLanczosSolver(), notANumber), brokeDown);
   EXPECT_EQ(FailureOf(SpectraSolver(), notANumber),
-    "the eigensolver gave up (TridiagEigen: eigen decomposition failed): remove the "
+    "the eigensolver gave up (TridiagEigen: eigen decomposition failed); remove the "
     "mesh's thinnest triangles, or ask for fewer harmonics");
   EXPECT_EQ(FailureOf(DenseSolver(), notANumber), "the dense eigensolver did not converge");
 

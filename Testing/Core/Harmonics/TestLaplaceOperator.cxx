@@ -156,7 +156,7 @@ TEST(LaplaceOperator, MeshesThatMatricesCannotIndexAreRefused)
   constexpr Index most = 178956970; // 12 entries of each triangle are counted in an int
   EXPECT_NO_THROW(CheckMatrixSize(most, most));
   const std::string text =
-    "over 178956970 triangles or points, more than the matrices can index: simplify it first";
+    "over 178956970 triangles or points, more than the matrices can index; simplify it first";
   ExpectRefusal([] { CheckMatrixSize(most / 2, most + 1); }, text);
   ExpectRefusal([] { CheckMatrixSize(Index{ 1 } << 33, 2); }, text);
 }
