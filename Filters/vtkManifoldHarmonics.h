@@ -49,8 +49,8 @@
  * vtkDataArray* basis = harmonics->GetOutput()->GetPointData()->GetArray("ManifoldHarmonics");
  * @endcode
  *
- * The paper is Y. Liu, B. Prabhakaran and X. Guo, "A Robust Spectral Approach for Blind Watermarking
- * of Manifold Surfaces" (2008), here and in all classes.
+ * The paper is Y. Liu, B. Prabhakaran and X. Guo, "A Robust Spectral Approach for Blind
+ * Watermarking of Manifold Surfaces" (2008), here and in all classes.
  *
  * @warning
  * Where an eigenvalue repeats (spheres, symmetric models), the harmonics span the right space, but

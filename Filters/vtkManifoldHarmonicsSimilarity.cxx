@@ -8,6 +8,7 @@
 #include "Private/FilterExecution.h"
 #include "Private/HarmonicsArrays.h"
 #include "Private/PolyDataMesh.h"
+#include "Private/Tables.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -32,30 +33,20 @@ vtkManifoldHarmonicsSimilarity::~vtkManifoldHarmonicsSimilarity() = default;
 namespace
 {
 
-vtkSmartPointer<vtkDoubleArray> Column(const char* name, const Eigen::VectorXd& values)
+vtkSmartPointer<vtkDoubleArray> ColumnOf(const char* name, const Eigen::VectorXd& values)
 {
-  auto column = vtkSmartPointer<vtkDoubleArray>::New();
-  column->SetName(name);
-  for (const double value : values)
-  {
-    column->InsertNextValue(value);
-  }
-  return column;
+  return sw::Column<vtkDoubleArray>(name, values.size(), [&](sw::Index k) { return values[k]; });
 }
 
 void FillTable(vtkTable* table, const Eigen::VectorXd& eigenvalues,
   const Eigen::VectorXd& otherEigenvalues, const Eigen::VectorXd& similarity)
 {
-  vtkNew<vtkIntArray> component;
-  component->SetName("Component");
-  for (int k = 1; k <= similarity.size(); ++k)
-  {
-    component->InsertNextValue(k);
-  }
-  table->AddColumn(component);
-  table->AddColumn(Column("Eigenvalue", eigenvalues.head(similarity.size())));
-  table->AddColumn(Column("OtherEigenvalue", otherEigenvalues.head(similarity.size())));
-  table->AddColumn(Column("Similarity", similarity));
+  const sw::Index count = similarity.size();
+  table->AddColumn(sw::Column<vtkIntArray>("Component", count,
+    [](sw::Index k) { return static_cast<int>(k + 1); }));
+  table->AddColumn(ColumnOf("Eigenvalue", eigenvalues.head(count)));
+  table->AddColumn(ColumnOf("OtherEigenvalue", otherEigenvalues.head(count)));
+  table->AddColumn(ColumnOf("Similarity", similarity));
 }
 
 } // namespace
@@ -93,7 +84,7 @@ int vtkManifoldHarmonicsSimilarity::RequestData(vtkInformation*, vtkInformationV
 
       vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
       output->ShallowCopy(referenceInput);
-      output->GetFieldData()->AddArray(Column("Similarity", similarity));
+      output->GetFieldData()->AddArray(ColumnOf("Similarity", similarity));
       FillTable(vtkTable::GetData(outputs, 1), basis.Eigenvalues, otherBasis.Eigenvalues,
         similarity);
       this->MeanSimilarity = similarity.mean();

@@ -14,10 +14,10 @@
  * public key, so that anyone can find and read the mark. Filters/Documentation/robust-scheme.md
  * explains how the scheme works and what breaks it.
  *
- * Scheme PaperSlots (the paper, which vtkManifoldHarmonics cites, 2.2.3 and 3.2.1): bit i is in slot i, which consists of the SlotSize
- * components from FirstComponent + i SlotSize on. In each slot one component, the carrier, is
- * compared with the average of reference components around it. The scheme needs no volume, so it
- * works on any surface.
+ * Scheme PaperSlots (paper, 2.2.3 and 3.2.1; vtkManifoldHarmonics cites it): bit i is in slot i,
+ * which consists of the SlotSize components from FirstComponent + i SlotSize on. In each slot one
+ * component, the carrier, is compared with the average of reference components around it. The
+ * scheme needs no volume, so it works on any surface.
  *
  * PaperSlots with a secret key (SecretKey or SecretKeyFile): the position of the carrier in each
  * slot is drawn from the key, uniformly from 2 to SlotSize - 1. A keystream whitens the message:

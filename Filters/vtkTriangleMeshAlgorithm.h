@@ -9,9 +9,9 @@
  * companions return the error in parts, for programs that have their own names for the properties.
  *
  * An abort (SetAbortExecute(1), for example in a progress observer) empties the outputs without an
- * error. Call Modified() to run the filter again; the flag need not be reset. VTK before 9.3 resets it
- * when an execution starts; later versions, and ParaView from 5.11 on, leave that to the caller, so
- * there the filter does it.
+ * error. Call Modified() to run the filter again; the flag need not be reset. VTK before 9.3 resets
+ * it when an execution starts; later versions, and ParaView from 5.11 on, leave that to the caller,
+ * so there the filter does it.
  *
  * Output port 0 is a vtkPolyData; all further ports are vtkTables.
  */

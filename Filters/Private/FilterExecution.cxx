@@ -25,8 +25,8 @@ namespace
 // The progress from one event to the next. Observers can be slow (a window, a terminal).
 constexpr double ProgressStep = 0.005;
 
-// VTK 9.3, and the VTK of ParaView 5.11 before it, leave aborts to the caller: CheckAbort() also asks
-// upstream, and executions no longer reset AbortExecute.
+// VTK 9.3, and the VTK of ParaView 5.11 before it, leave aborts to the caller: CheckAbort() also
+// asks upstream, and executions no longer reset AbortExecute.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220823)
 #define CALLER_RESETS_ABORT
 #endif

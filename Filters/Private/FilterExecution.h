@@ -21,8 +21,8 @@ int ThreadsOfVtk();
 /// Throws InvalidInput if the value is not finite, because VTK's clamping lets such values pass.
 void CheckFinite(const char* property, double value);
 
-/// Resets AbortExecute at the start of an execution, as VTK before 9.3 does by itself: observers of the
-/// last progress event can set it after the execution before.
+/// Resets AbortExecute at the start of an execution, as VTK before 9.3 does by itself: an observer
+/// of the last progress event can set it when an execution is over.
 void ResetAbort(vtkAlgorithm* filter);
 
 /// Empties the data objects of all output ports.

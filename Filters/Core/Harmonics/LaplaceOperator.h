@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// The finite-element Laplace-Beltrami operator of a triangle mesh (paper, 2.1, eqs. 4 and 5).
 ///
-/// The paper is Y. Liu, B. Prabhakaran and X. Guo, "A Robust Spectral Approach for Blind Watermarking
-/// of Manifold Surfaces" (2008), here and in all files.
+/// The paper is Y. Liu, B. Prabhakaran and X. Guo, "A Robust Spectral Approach for Blind
+/// Watermarking of Manifold Surfaces" (2008), here and in all files.
 #ifndef SpectralWatermark_Core_Harmonics_LaplaceOperator_h
 #define SpectralWatermark_Core_Harmonics_LaplaceOperator_h
 

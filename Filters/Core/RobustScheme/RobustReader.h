@@ -3,8 +3,8 @@
 ///
 /// The reader does not know the quantisation step, the signs of the frame's axes where they are
 /// unclear, how often the mesh was smoothed, and how attacks changed the frame. It tries
-/// combinations of the first three until one fits the code clearly, and keeps the best. If none fits
-/// clearly, it also aligns the frame by small changes (FrameAlignment.h).
+/// combinations of the first three until one fits the code clearly, and keeps the best. If none
+/// fits clearly, it also aligns the frame by small changes (FrameAlignment.h).
 ///
 /// None of this depends on the message. Inverting the whitening bits where a code word has ones
 /// adds that code word to what is read, and changes nothing else. Since the whitening is a
