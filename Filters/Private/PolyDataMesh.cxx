@@ -330,6 +330,11 @@ void CheckStorable(const TriangleMesh::PointMatrix& points, bool storesFloat)
 vtkSmartPointer<vtkPolyData> ToPolyData(const TriangleMesh& mesh, bool storesFloat)
 {
   CheckStorable(mesh.Points, storesFloat);
+  return ToUncheckedPolyData(mesh, storesFloat);
+}
+
+vtkSmartPointer<vtkPolyData> ToUncheckedPolyData(const TriangleMesh& mesh, bool storesFloat)
+{
   vtkNew<vtkPoints> points;
   points->SetDataType(storesFloat ? VTK_FLOAT : VTK_DOUBLE);
   points->SetNumberOfPoints(mesh.NumberOfVertices());

@@ -45,6 +45,9 @@ PolyDataMesh ToMesh(vtkPolyData* input, CoincidentPoints coincident = Coincident
 /// CheckStorable().
 vtkSmartPointer<vtkPolyData> ToPolyData(const TriangleMesh& mesh, bool storesFloat);
 
+/// The same without the check, so that points may become infinite or not a number.
+vtkSmartPointer<vtkPolyData> ToUncheckedPolyData(const TriangleMesh& mesh, bool storesFloat);
+
 /// A point array whose tuples are the rows of `values` (a row per vertex); 0 at points without a
 /// vertex.
 vtkSmartPointer<vtkDoubleArray> ToPointArray(const char* name, const PolyDataMesh& mesh,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Unmarked meshes that are nothing like scans, where eigenvalues repeat and most magnitudes are rounding:
-// p-values hold there too. The scheme Robust: Core/TestSolidWatermark.cxx.
+// Unmarked meshes that are unlike scans, on which eigenvalues repeat and most magnitudes are rounding
+// errors. The p-values of PaperSlots hold there too; Core/RobustScheme/TestRobustReader.cxx tests
+// those of Robust.
 #include "Support/FilterTesting.h"
 #include "Support/PValues.h"
 

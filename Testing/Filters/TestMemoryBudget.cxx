@@ -2,6 +2,7 @@
 // What does not fit into memory is refused before the work, and the filter works once it fits.
 #include "Support/AddressSpace.h"
 #include "Support/FilterTesting.h"
+#include "Support/FullTests.h"
 
 #include <vtkErrorCode.h>
 #include <vtkManifoldHarmonics.h>
@@ -248,6 +249,7 @@ bool Succeeds(vtkPolyDataAlgorithm* filter, double free)
 // The estimates: a little less is refused, and with what they ask for the work comes to its end.
 TEST(MemoryBudget, WhatIsAskedForSuffices)
 {
+  SPECTRALWATERMARK_SKIP_UNLESS_FULL();
   const auto sphere = HugeSphere();
   const auto torus = PolyData(shapes::Torus(400, 160));
   const auto ofSphere = static_cast<double>(sphere->GetNumberOfPolys());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Progress, abort, determinism, threads and composite data: what pipelines rely on.
 #include "Support/FilterTesting.h"
+#include "Support/FullTests.h"
 
 #include <vtkCellData.h>
 #include <vtkCompositeDataIterator.h>
@@ -238,11 +239,12 @@ TEST(Pipeline, AbortInTheMiddleOfEmbedding)
   EXPECT_STREQ(embed->GetExtractedMessage(), "");
 }
 
-TEST(Pipeline, TwentyRunsGiveTheSameBytes)
+TEST(Pipeline, RepeatedRunsGiveTheSameBytes)
 {
   const auto mesh = PolyData(shapes::Bumpy(3));
   const BytesByName first = BytesOfEveryFilter(mesh);
-  for (int run = 1; run < 20; ++run)
+  const int runs = QuickOrFull(4, 20);
+  for (int run = 1; run < runs; ++run)
   {
     vtkSMPTools::Initialize(1 + run % 2);
     SCOPED_TRACE("run " + std::to_string(run));

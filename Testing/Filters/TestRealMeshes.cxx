@@ -37,7 +37,7 @@ std::string NameOf(const testing::TestParamInfo<const char*>& scan)
 TEST_P(RealMesh, CarriesFiveBits)
 {
   const auto mesh = ReadScan(GetParam());
-  if (const std::string reason = WhyToSkip(GetParam(), mesh, true); !reason.empty())
+  if (const std::string reason = WhyToSkip(GetParam(), mesh); !reason.empty())
   {
     GTEST_SKIP() << reason;
   }
@@ -70,7 +70,7 @@ TEST_P(RealMesh, CarriesFiveBits)
 TEST_P(RealMesh, NoModeClaimsAWrongSuccess)
 {
   const auto mesh = ReadScan(GetParam());
-  if (const std::string reason = WhyToSkip(GetParam(), mesh, false); !reason.empty())
+  if (const std::string reason = WhyToSkip(GetParam(), mesh); !reason.empty())
   {
     GTEST_SKIP() << reason;
   }
@@ -133,7 +133,7 @@ void ExpectBitsAfter(vtkMeshAttack* attack, vtkPolyData* marked)
 TEST(RealMeshes, MarkSurvivesSimilaritiesAndMildAttacks)
 {
   const auto mesh = ReadScan("bunny");
-  if (const std::string reason = WhyToSkip("bunny", mesh, true); !reason.empty())
+  if (const std::string reason = WhyToSkip("bunny", mesh); !reason.empty())
   {
     GTEST_SKIP() << reason;
   }
@@ -165,7 +165,7 @@ TEST(RealMeshes, MarkSurvivesSimilaritiesAndMildAttacks)
 TEST(RealMeshes, QuantisedScanKeepsItsSpectrum)
 {
   const auto mesh = ReadScan("bimba");
-  if (const std::string reason = WhyToSkip("bimba", mesh, true); !reason.empty())
+  if (const std::string reason = WhyToSkip("bimba", mesh); !reason.empty())
   {
     GTEST_SKIP() << reason;
   }

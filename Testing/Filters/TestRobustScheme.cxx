@@ -315,7 +315,7 @@ class RobustScan : public testing::TestWithParam<const char*>
 TEST_P(RobustScan, IsMineAfterEveryAttack)
 {
   const auto mesh = ReadScan(GetParam());
-  if (const std::string reason = WhyToSkip(GetParam(), mesh, false); !reason.empty())
+  if (const std::string reason = WhyToSkip(GetParam(), mesh); !reason.empty())
   {
     GTEST_SKIP() << reason;
   }

@@ -36,7 +36,7 @@ using shapes::TriangleMesh;
 
 vtkSmartPointer<vtkPolyData> PolyData(const TriangleMesh& mesh, bool storesFloat)
 {
-  return spectralwatermark::ToPolyData(mesh, storesFloat);
+  return spectralwatermark::ToUncheckedPolyData(mesh, storesFloat);
 }
 
 vtkSmartPointer<vtkPolyData> Soup(const TriangleMesh& mesh)
@@ -219,16 +219,16 @@ vtkSmartPointer<vtkPolyData> ReadScan(const std::string& name)
   return reader->GetOutput();
 }
 
-std::string WhyToSkip(const std::string& name, vtkPolyData* scan, bool evenIfLarge)
+std::string WhyToSkip(const std::string& name, vtkPolyData* scan)
 {
-  constexpr vtkIdType large = 12000;
+  constexpr vtkIdType small = 3000;
   if (scan == nullptr)
   {
     return "no " + name + ".ply in " + MeshDirectory() +
       ": set SPECTRALWATERMARK_MESH_DIR to a folder with the scans";
   }
-  const bool isLeftOut = !evenIfLarge && scan->GetNumberOfPoints() > large && !RunsFullTests();
-  return isLeftOut ? "large: set SPECTRALWATERMARK_FULL_TESTS (./test.sh --full does)" : "";
+  const bool isLeftOut = scan->GetNumberOfPoints() > small && !RunsFullTests();
+  return isLeftOut ? "long: set SPECTRALWATERMARK_FULL_TESTS (./test.sh --full does)" : "";
 }
 
 } // namespace filtertesting

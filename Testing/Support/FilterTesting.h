@@ -84,9 +84,9 @@ std::string MeshDirectory();
 /// A scan of that folder; nullptr when the folder has no such file.
 vtkSmartPointer<vtkPolyData> ReadScan(const std::string& name);
 
-/// Why a test on this scan, as ReadScan() gave it, is to be skipped; "" when it is not. Large scans
-/// are left to ./test.sh --full unless `evenIfLarge`.
-std::string WhyToSkip(const std::string& name, vtkPolyData* scan, bool evenIfLarge);
+/// Why a test on this scan, as ReadScan() gave it, is to be skipped; "" when it is not. All but the
+/// smallest scan are left to ./test.sh --full.
+std::string WhyToSkip(const std::string& name, vtkPolyData* scan);
 
 } // namespace filtertesting
 

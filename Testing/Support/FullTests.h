@@ -11,6 +11,12 @@ inline bool RunsFullTests()
   return std::getenv("SPECTRALWATERMARK_FULL_TESTS") != nullptr;
 }
 
+/// How many of something a test tries: fewer in the quick set.
+inline int QuickOrFull(int quick, int full)
+{
+  return RunsFullTests() ? full : quick;
+}
+
 /// Skips the rest of a test in the quick set.
 #define SPECTRALWATERMARK_SKIP_UNLESS_FULL()                                                       \
   if (!RunsFullTests())                                                                            \

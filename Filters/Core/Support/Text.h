@@ -16,7 +16,7 @@ template <typename... Parts>
 std::string TextOf(const Parts&... parts)
 {
   std::ostringstream text;
-  (text << ... << parts);
+  ((text << parts), ...);
   return text.str();
 }
 

@@ -3,6 +3,7 @@
 #include "Core/PaperScheme/Slots.h"
 #include "Core/Payload/BitAgreement.h"
 #include "Core/Support/Random.h"
+#include "Support/FullTests.h"
 #include "Support/PValues.h"
 
 #include <gtest/gtest.h>
@@ -93,7 +94,7 @@ TEST(SlotDetection, EqualWeightsAreHardDecisions)
 TEST(SlotDetection, PValuesAreCalibratedUnderAKey)
 {
   constexpr int bits = 24;
-  constexpr int trials = 20000;
+  const int trials = QuickOrFull(5000, 20000);
   std::vector<SlotReading> readings;
   for (std::uint64_t i = 0; i < bits; ++i)
   {
@@ -102,12 +103,12 @@ TEST(SlotDetection, PValuesAreCalibratedUnderAKey)
   const SlotOptions options = Keyed(bits);
   int hard = 0;
   int soft = 0;
-  for (std::uint64_t trial = 0; trial < trials; ++trial)
+  for (int trial = 0; trial < trials; ++trial)
   {
     std::string message;
     for (std::uint64_t i = 0; i < bits; ++i)
     {
-      message += NormalRandom(2 + trial, i) > 0.0 ? '1' : '0';
+      message += NormalRandom(static_cast<std::uint64_t>(2 + trial), i) > 0.0 ? '1' : '0';
     }
     hard += AgreementPValue(MessageOf(readings), message, FairCoins) <= 0.01 ? 1 : 0;
     soft += WeightedAgreementPValue(readings, options, message) <= 0.01 ? 1 : 0;

@@ -44,7 +44,7 @@ std::vector<TriangleMesh> SymmetricSolids()
 // Of each mesh. A reading of a mesh without the mark tries everything, and takes a quarter of a second.
 int NumberOfKeys()
 {
-  return RunsFullTests() ? 80 : 8;
+  return QuickOrFull(8, 80);
 }
 
 } // namespace
