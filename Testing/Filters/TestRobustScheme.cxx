@@ -269,7 +269,7 @@ TEST(RobustScheme, SaysWhatItCannotDo)
   embed->SetMessage("10x");
   expectError(embed, "0 and 1");
   const auto detect = DetectIn(mesh, "");
-  expectError(detect, "UseDerivedMessage needs a secret key");
+  expectError(detect, "UseDerivedMessage: there is no secret key");
 }
 
 // Far from the origin, float has steps as large as the distortion that is allowed.

@@ -209,7 +209,7 @@ TEST_F(SecretKeys, ContradictionsAreErrors)
   this->Detect->SetExpectedMessage("101");
   EXPECT_NE(this->ErrorOf(this->Detect).find("only one message"), std::string::npos);
   this->Embed->SetSecretKey("");
-  EXPECT_NE(this->ErrorOf(this->Embed).find("or set a secret key"), std::string::npos);
+  EXPECT_NE(this->ErrorOf(this->Embed).find("or a secret key to derive a message from"), std::string::npos);
 }
 
 TEST_F(SecretKeys, TheSecretIsNeverPrinted)

@@ -235,7 +235,7 @@ TEST(WatermarkFilters, WhatFallsApartWhenItIsStoredIsRefused)
   embed->Update();
   for (const char* part :
     { "once marked and rounded as its points are stored, the mesh cannot be read: ",
-      "the mesh has 2 components", "Store double points, or move the model to the origin" })
+      "the mesh has 2 components", "store double points, or move the model to the origin" })
   {
     EXPECT_NE(listener.Errors.find(part), std::string::npos) << listener.Errors;
   }

@@ -5,11 +5,13 @@
 #include "Core/RobustScheme/SolidResponse.h"
 #include "Core/RobustScheme/SolidSpectrum.h"
 #include "Core/Support/Errors.h"
+#include "Core/Support/Random.h"
 #include "Support/CoreTesting.h"
 #include "Support/RobustTesting.h"
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 
 using namespace spectralwatermark;
@@ -42,7 +44,12 @@ struct Response
 
 Eigen::VectorXd SmallChanges(Index count)
 {
-  return 1e-5 * Eigen::VectorXd::Random(count);
+  Eigen::VectorXd changes(count);
+  for (Index k = 0; k < count; ++k)
+  {
+    changes[k] = 1e-5 * (2.0 * UniformRandom(1, static_cast<std::uint64_t>(k)) - 1.0);
+  }
+  return changes;
 }
 
 } // namespace
@@ -75,9 +82,10 @@ TEST(SolidResponse, DisplacementsLeaveTheFrame)
   const SolidFrame before = FrameOf(response.View.Mesh);
   const SolidFrame after = FrameOf(response.Moved(heights));
   const double moved = heights.cwiseAbs().maxCoeff();
-  EXPECT_LT((after.Origin - before.Origin).norm(), 0.05 * moved);
-  EXPECT_LT((after.Axes - before.Axes).norm(), 0.05 * moved);
-  EXPECT_NEAR(after.Scale, before.Scale, 0.05 * moved);
+  // To first order, and to the accuracy of sums over the vertices for integrals over the surface.
+  EXPECT_LT((after.Origin - before.Origin).norm(), 0.1 * moved);
+  EXPECT_LT((after.Axes - before.Axes).norm(), 0.1 * moved);
+  EXPECT_NEAR(after.Scale, before.Scale, 0.1 * moved);
 
   // Exactly so for sums over the vertices: volume, centre and second moments.
   const Eigen::VectorXd weighted = VertexAreas(response.View.Mesh).cwiseProduct(heights);
