@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Who has the key reads the mark; who has another, or none, reads coin flips.
 #include "Support/FilterTesting.h"
+#include "Support/FullTests.h"
 
 #include <vtkErrorCode.h>
 #include <vtkManifoldHarmonics.h>
@@ -126,7 +127,7 @@ TEST_F(SecretKeys, WrongKeysReadAtChance)
 
 TEST_F(SecretKeys, NoKeyReadsAtChanceToo)
 {
-  constexpr int keys = 12;
+  const int keys = QuickOrFull(5, 12); // an embedding each, some with all its iterations
   int errors = 0;
   this->Embed->SetInputData(PolyData(shapes::Bumpy(3)));
   this->Embed->SetMaximumNumberOfIterations(4);
@@ -209,7 +210,8 @@ TEST_F(SecretKeys, ContradictionsAreErrors)
   this->Detect->SetExpectedMessage("101");
   EXPECT_NE(this->ErrorOf(this->Detect).find("only one message"), std::string::npos);
   this->Embed->SetSecretKey("");
-  EXPECT_NE(this->ErrorOf(this->Embed).find("or a secret key to derive a message from"), std::string::npos);
+  EXPECT_NE(this->ErrorOf(this->Embed).find("or a secret key to derive a message from"),
+    std::string::npos);
 }
 
 TEST_F(SecretKeys, TheSecretIsNeverPrinted)
