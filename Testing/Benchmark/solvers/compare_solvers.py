@@ -119,7 +119,7 @@ def relative_residuals(folder: Path, values: np.ndarray, vectors: np.ndarray) ->
 def loaded_blas() -> str:
     """The file names of the BLAS libraries in this process; which BLAS a peer runs with decides much."""
     paths = {line.split()[-1] for line in Path("/proc/self/maps").read_text().splitlines() if "/" in line}
-    names = {Path(path).resolve() for path in paths if re.search(r"blas|mkl|blis", Path(path).name)}
+    names = {Path(path).resolve() for path in paths if re.match(r"lib.*(blas|mkl|blis)", Path(path).name)}
     return ", ".join(sorted("/".join(path.parts[-2:]) for path in names)) or "none"
 
 
